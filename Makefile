@@ -1,0 +1,140 @@
+# Knotwork
+#
+#   make setup       install what drawing needs: gnuplot and a C compiler
+#   make figures     build everything, run every driver, draw figures/*.svg
+#   make check       recompute every number and judge it; needs a C compiler alone
+#   make check SAN=1 the same under the address and undefined-behaviour sanitizers
+#
+# For those who change it (make setup-dev installs the tools):
+#   make identical   the data are the same bytes from gcc and clang, -O0 and -O3
+#   make valgrind    every driver and test under valgrind
+#   make lint        clang-format, cppcheck, clang-tidy, shellcheck
+#   make format      clang-format, in place
+#   make bench       what an evaluation costs, as ratios within one run
+#   make clean
+#
+# CC, OPT and BUILD choose another compiler, optimization and build folder.
+
+CC     ?= cc
+OPT    ?= -O2
+BUILD  ?= build
+ifdef SAN
+BUILD  := build/san
+SANITIZE := -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+endif
+
+# -ffp-contract=off: a fused multiply-add here and none there would change last bits.
+CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L $(OPT) -ffp-contract=off $(SANITIZE) \
+         -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes \
+         -Wmissing-prototypes -Werror -Ilib -DKW_BUILD='"$(BUILD)"'
+
+LESSONS := $(sort $(wildcard chapters/*/))
+DRIVERS := $(notdir $(basename $(sort $(wildcard chapters/*/*.c))))
+PLOTS   := $(notdir $(basename $(sort $(wildcard chapters/*/*.gp))))
+TESTS   := $(notdir $(basename $(sort $(wildcard tests/test_*.c))))
+SCRIPTS := $(filter-out summary,$(notdir $(basename $(sort $(wildcard tests/*.sh)))))
+LIBRARY := $(BUILD)/lib/libknotwork.a
+REPORTS := $(DRIVERS:%=$(BUILD)/claims/%.tsv)
+LOGS    := $(TESTS:%=$(BUILD)/tests/%.log) $(SCRIPTS:%=$(BUILD)/tests/%.log) \
+           $(BUILD)/tests/ledger.log
+SETUP   := $(filter setup,$(MAKECMDGOALS))
+
+vpath %.c  lib tests tests/bench $(LESSONS)
+vpath %.gp $(LESSONS)
+
+.DELETE_ON_ERROR:
+.SECONDARY:
+.PHONY: all setup setup-dev figures data check identical valgrind lint format bench clean FORCE
+
+all: figures
+
+# --- building ---
+
+FOLDERS := $(addprefix $(BUILD)/,obj lib bin data claims tests)
+$(FOLDERS):
+	@mkdir -p $@
+
+$(BUILD)/obj/%.o: %.c | $(FOLDERS) $(SETUP)
+	$(CC) $(CFLAGS) -MMD -c -o $@ $<
+-include $(wildcard $(BUILD)/obj/*.d)
+
+$(LIBRARY): $(patsubst lib/%.c,$(BUILD)/obj/%.o,$(wildcard lib/*.c))
+	@rm -f $@
+	$(AR) rcs $@ $^
+
+$(BUILD)/bin/test_%: $(BUILD)/obj/test_%.o $(BUILD)/obj/test.o $(LIBRARY)
+	$(CC) $(CFLAGS) -o $@ $^ -lm
+
+$(BUILD)/bin/%: $(BUILD)/obj/%.o $(LIBRARY)
+	$(CC) $(CFLAGS) -o $@ $^ -lm
+
+# --- drivers and figures: a driver writes its data, then, last of all, its report ---
+
+$(BUILD)/claims/%.tsv: $(BUILD)/bin/%
+	$<
+
+data: $(REPORTS)
+
+figures: $(PLOTS:%=figures/%.svg)
+
+figures/%.svg: %.gp figures/style.gp $(BUILD)/claims/%.tsv figures/draw.sh | $(SETUP)
+	@figures/draw.sh $< $(BUILD)/data/$*.dat $@
+
+# --- checks ---
+
+check: $(LOGS)
+	@tests/summary.sh $(LOGS)
+
+$(BUILD)/tests/test_%.log: $(BUILD)/bin/test_% FORCE
+	@{ $< || [ $$? = 1 ] || echo "not ok - test_$* was cut off"; } >$@ 2>&1
+
+$(BUILD)/tests/ledger.log: $(BUILD)/bin/ledger $(REPORTS) FORCE
+	@{ $< chapters/claims.tsv chapters/ERRATA.md tests/items.txt $(BUILD)/claims $(DRIVERS) || \
+	   [ $$? = 1 ] || echo "not ok - the ledger was cut off"; } >$@ 2>&1
+
+$(BUILD)/tests/%.log: tests/%.sh $(BUILD)/bin/ledger $(REPORTS) FORCE
+	@{ BUILD=$(BUILD) $< || [ $$? = 1 ] || echo "not ok - $< was cut off"; } >$@ 2>&1
+
+identical:
+	@for cc in gcc clang; do for opt in -O0 -O3; do \
+	    $(MAKE) --no-print-directory -s data CC=$$cc OPT=$$opt BUILD=build/$$cc$$opt || exit 1; \
+	    for part in data claims; do \
+	        diff -r build/gcc-O0/$$part build/$$cc$$opt/$$part || exit 1; done; done; done
+	@echo "gcc and clang, -O0 and -O3: the same bytes in every data file and report"
+
+valgrind:
+	@$(MAKE) --no-print-directory -s check OPT='-O1 -g' BUILD=build/valgrind
+	@for program in $(addprefix build/valgrind/bin/,$(DRIVERS) $(TESTS)); do \
+	    valgrind -q --leak-check=full --error-exitcode=9 $$program >build/valgrind/log 2>&1 || \
+	    { cat build/valgrind/log; echo "valgrind: $$program" >&2; exit 1; }; done
+	@echo "valgrind finds nothing in $(words $(DRIVERS)) drivers and $(words $(TESTS)) tests"
+
+SOURCES := $(sort $(wildcard lib/*.[ch] tests/*.[ch] tests/bench/*.c chapters/*/*.c))
+
+lint:
+	clang-format --dry-run --Werror $(SOURCES)
+	cppcheck --quiet --std=c11 --error-exitcode=1 --inline-suppr -Ilib \
+	    --enable=warning,style,performance,portability \
+	    --suppressions-list=tests/cppcheck.txt $(filter %.c,$(SOURCES))
+	clang-tidy --quiet --warnings-as-errors='*' $(filter %.c,$(SOURCES)) -- \
+	    -std=c11 -D_POSIX_C_SOURCE=200809L -Ilib
+	shellcheck .ci/run .ci/install figures/*.sh tests/*.sh
+
+format:
+	clang-format -i $(SOURCES)
+
+bench: $(patsubst tests/bench/%.c,$(BUILD)/bin/%,$(wildcard tests/bench/*.c))
+	@for program in $^; do $$program || exit 1; done
+
+# --- tools ---
+
+setup:
+	@.ci/install gnuplot:gnuplot-nox cc:gcc,libc6-dev
+
+setup-dev: setup
+	@.ci/install gcc:gcc,libc6-dev clang:clang,libclang-rt-14-dev valgrind:valgrind,libc6-dbg \
+	    clang-format:clang-format clang-tidy:clang-tidy cppcheck:cppcheck \
+	    shellcheck:shellcheck
+
+clean:
+	rm -rf build

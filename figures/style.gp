@@ -1,0 +1,18 @@
+# style.gp -- the one look of every figure, read before the figure's own script, which sets
+# only what is particular to it. Needs: data, image (figures/draw.sh).
+set terminal svg size 720,360 font "DejaVu Sans,11" background rgb "white"
+set output image
+set encoding utf8
+set colorsequence podo
+set border 3 lw 0.8 lc rgb "#404040"
+set tics nomirror out scale 0.6
+set key noautotitle
+set samples 200
+
+# podo: Okabe and Ito's colours, readable with any colour vision
+BLUE = "#0072b2"; RED = "#d55e00"; GREEN = "#009e73"; PINK = "#cc79a7"
+GOLD = "#e69f00"; SKY = "#56b4e9"; GREY = "#808080"; LIGHT = "#d0d0d0"
+array COLOR[6] = [BLUE, RED, GREEN, PINK, GOLD, SKY]
+do for [i=1:6] { set style line i lw 2 lc rgb COLOR[i] pt 7 ps 0.6 }
+set style line 7 lw 1 lc rgb GREY
+set style line 8 lw 0.8 lc rgb LIGHT

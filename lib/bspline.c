@@ -1,0 +1,386 @@
+#include "bspline.h"
+#include "need.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- spaces --- */
+
+static void need_degree(int d)
+{
+    KW_NEED(0 <= d && d <= KW_BSPLINE_DEGREE, "degree %d, not in 0 .. %d", d,
+            KW_BSPLINE_DEGREE);
+}
+
+kw_bspline *kw_bspline_new(int d, int n, const double *t)
+{
+    need_degree(d);
+    KW_NEED(n >= d + 1, "%d functions of degree %d (%d knots) are too few", n, d,
+            n + d + 1);
+    for (int i = 0; i <= n + d; i++)
+        KW_NEED(isfinite(t[i]), "t[%d] = %g", i, t[i]);
+    for (int i = 0; i < n + d; i++)
+        KW_NEED(t[i] <= t[i + 1], "knots decrease: t[%d] = %.17g, t[%d] = %.17g", i, t[i],
+                i + 1, t[i + 1]);
+    for (int i = 0; i < n; i++)
+        KW_NEED(t[i] < t[i + d + 1], "knot %.17g appears more than %d times (from t[%d])",
+                t[i], d + 1, i);
+    KW_NEED(
+        t[d] < t[d + 1] && t[n - 1] < t[n],
+        "the domain [t[%d], t[%d]] = [%.17g, %.17g] begins or ends with an empty span", d,
+        n, t[d], t[n]);
+
+    kw_bspline *s = kw_need_memory(1, sizeof *s);
+    s->d = d;
+    s->n = n;
+    s->t = kw_need_memory((size_t)(n + d + 1), sizeof *s->t);
+    memcpy(s->t, t, (size_t)(n + d + 1) * sizeof *t);
+    return s;
+}
+
+kw_bspline *kw_bspline_new_copy(const kw_bspline *s)
+{
+    return kw_bspline_new(s->d, s->n, s->t);
+}
+
+/* The partition with the multiplicities mu, behind `ends` copies of tau[0] and before as
+   many of tau[L]: the knots (caller frees) and their number. */
+static double *repeat_knots(int d, int L, const double *tau, const int *mu, int ends,
+                            int *count)
+{
+    double *t;
+    int last = 0;
+
+    need_degree(d);
+    KW_NEED(L >= 1, "L = %d", L);
+    *count = 2 * ends;
+    for (int i = 1; i < L; i++) {
+        KW_NEED(!mu || (1 <= mu[i - 1] && mu[i - 1] <= d + 1), "mu[%d] = %d, degree %d",
+                i - 1, mu[i - 1], d);
+        *count += mu ? mu[i - 1] : 1;
+    }
+    t = kw_need_memory((size_t)*count, sizeof *t);
+    for (int i = 0; i <= L; i++) {
+        int copies = i == 0 || i == L ? ends : mu ? mu[i - 1] : 1;
+
+        KW_NEED(i == 0 || tau[i - 1] < tau[i], "tau[%d] = %.17g, tau[%d] = %.17g", i - 1,
+                tau[i - 1], i, tau[i]);
+        for (int c = 0; c < copies; c++)
+            t[last++] = tau[i];
+    }
+    return t;
+}
+
+kw_bspline *kw_bspline_new_open(int d, int L, const double *tau, const int *mu)
+{
+    int count;
+    double *t = repeat_knots(d, L, tau, mu, d + 1, &count);
+    kw_bspline *s = kw_bspline_new(d, count - d - 1, t);
+
+    free(t);
+    return s;
+}
+
+/* `cells` equal cells of [a,b]; the ends are exact */
+static double *equal_cells(int cells, double a, double b)
+{
+    KW_NEED(cells >= 1, "%d cells", cells);
+    KW_NEED(a < b, "[%g, %g]", a, b);
+    double *tau = kw_need_memory((size_t)cells + 1, sizeof *tau);
+    for (int i = 0; i <= cells; i++)
+        tau[i] = i == cells ? b : a + (b - a) * i / cells;
+    return tau;
+}
+
+kw_bspline *kw_bspline_new_open_uniform(int d, int cells, double a, double b)
+{
+    double *tau = equal_cells(cells, a, b);
+    kw_bspline *s = kw_bspline_new_open(d, cells, tau, NULL);
+
+    free(tau);
+    return s;
+}
+
+kw_bspline *kw_bspline_new_uniform(int d, int cells, double a, double b)
+{
+    double *tau = equal_cells(cells, a, b), *t;
+    kw_bspline *s;
+
+    need_degree(d);
+    t = kw_need_memory((size_t)(cells + 2 * d + 1), sizeof *t);
+    for (int i = 0; i <= cells + 2 * d; i++) {
+        int cell = i - d;
+
+        t[i] = 0 <= cell && cell <= cells ? tau[cell] : a + (b - a) * cell / cells;
+    }
+    s = kw_bspline_new(d, cells + d, t);
+    free(t);
+    free(tau);
+    return s;
+}
+
+kw_bspline *kw_bspline_new_periodic(int d, int L, const double *tau, const int *mu)
+{
+    int count;
+    double *t0 = repeat_knots(d, L, tau, mu, 1, &count); /* t[d] .. t[n] */
+    int period = count - 1, n = d + period;
+    double width = tau[L] - tau[0];
+    double *t = kw_need_memory((size_t)(n + d + 1), sizeof *t);
+    kw_bspline *s;
+
+    for (int i = 0; i < count; i++)
+        t[d + i] = t0[i];
+    for (int i = d - 1; i >= 0; i--)
+        t[i] = t[i + period] - width;
+    for (int i = n + 1; i <= n + d; i++)
+        t[i] = t[i - period] + width;
+    s = kw_bspline_new(d, n, t);
+    free(t);
+    free(t0);
+    return s;
+}
+
+void kw_bspline_free(kw_bspline *s)
+{
+    if (!s)
+        return;
+    free(s->t);
+    free(s);
+}
+
+/* --- knots --- */
+
+static void need_function(const kw_bspline *s, int j)
+{
+    KW_NEED(0 <= j && j < s->n, "function %d, not in 0 .. %d", j, s->n - 1);
+}
+
+int kw_bspline_span(const kw_bspline *s, double x)
+{
+    int low = s->d, high = s->n; /* t[low] <= x < t[high], or x is the right end */
+
+    KW_NEED(s->t[low] <= x && x <= s->t[high],
+            "x = %.17g outside the domain [%.17g, %.17g]", x, s->t[low], s->t[high]);
+    if (x == s->t[high])
+        return high - 1;
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
+
+        if (x < s->t[middle])
+            high = middle;
+        else
+            low = middle;
+    }
+    return low;
+}
+
+int kw_bspline_first_span(const kw_bspline *s, int j)
+{
+    int i = j > s->d ? j : s->d;
+
+    need_function(s, j);
+    while (s->t[i] == s->t[i + 1])
+        i++;
+    return i;
+}
+
+int kw_bspline_multiplicity(const kw_bspline *s, double x)
+{
+    int count = 0;
+
+    for (int i = 0; i <= s->n + s->d; i++)
+        count += s->t[i] == x;
+    return count;
+}
+
+double kw_bspline_greville(const kw_bspline *s, int j)
+{
+    const double *t = s->t + j;
+    double sum = 0;
+
+    need_function(s, j);
+    if (s->d == 0)
+        return t[0] + (t[1] - t[0]) / 2;
+    for (int i = 1; i <= s->d; i++)
+        sum += t[i];
+    /* rounding must not carry the mean out of [t[1], t[d]], which may end the domain */
+    return fmin(fmax(sum / s->d, t[1]), t[s->d]);
+}
+
+/* --- the local functions --- */
+
+/* One step of the recursion of Definition 3 on span i: from the p local functions of
+   degree p-1, value[0..p-1], to the p+1 of degree p, value[0..p]. No denominator is zero,
+   because every one of these supports contains the span. */
+static void raise_degree(const double *t, int i, int p, double x, double *value)
+{
+    double from_left = 0;
+
+    for (int r = 0; r < p; r++) {
+        double left = t[i + 1 + r - p], right = t[i + 1 + r];
+        double share = value[r] / (right - left);
+
+        value[r] = from_left + (right - x) * share;
+        from_left = (x - left) * share;
+    }
+    value[p] = from_left;
+}
+
+/* The derivative in the same triangle: from the q-th derivatives of the p functions of
+   degree p-1 to the (q+1)-th of the p+1 functions of degree p,
+   beta_{j,p}' = p (beta_{j,p-1} / (t_{j+p}-t_j) - beta_{j+1,p-1} / (t_{j+p+1}-t_{j+1})). */
+static void raise_derivative(const double *t, int i, int p, double *value)
+{
+    double from_left = 0;
+
+    for (int r = 0; r < p; r++) {
+        double left = t[i + 1 + r - p], right = t[i + 1 + r];
+        double share = p * (value[r] / (right - left));
+
+        value[r] = from_left - share;
+        from_left = share;
+    }
+    value[p] = from_left;
+}
+
+static void need_span(const kw_bspline *s, int i)
+{
+    KW_NEED(s->d <= i && i < s->n && s->t[i] < s->t[i + 1], "%d is no span", i);
+}
+
+int kw_bspline_basis(const kw_bspline *s, double x, double *value)
+{
+    int i = kw_bspline_span(s, x);
+
+    value[0] = 1;
+    for (int p = 1; p <= s->d; p++)
+        raise_degree(s->t, i, p, x, value);
+    return i - s->d;
+}
+
+void kw_bspline_derivatives_on(const kw_bspline *s, int i, double x, int r, double *value)
+{
+    int d = s->d;
+
+    need_span(s, i);
+    KW_NEED(isfinite(x), "x = %g", x);
+    KW_NEED(r >= 0, "derivative %d", r);
+    for (int q = 0; q <= r; q++, value += d + 1) {
+        if (q > d) {
+            memset(value, 0, (size_t)(d + 1) * sizeof *value);
+            continue;
+        }
+        value[0] = 1;
+        for (int p = 1; p <= d - q; p++)
+            raise_degree(s->t, i, p, x, value);
+        for (int p = d - q + 1; p <= d; p++)
+            raise_derivative(s->t, i, p, value);
+    }
+}
+
+int kw_bspline_derivatives(const kw_bspline *s, double x, int r, double *value)
+{
+    int i = kw_bspline_span(s, x);
+
+    kw_bspline_derivatives_on(s, i, x, r, value);
+    return i - s->d;
+}
+
+void kw_bspline_pieces(const kw_bspline *s, int i, double *piece)
+{
+    int d = s->d;
+    double value[KW_BSPLINE_DEGREE + 1], scale = 1; /* h^q / q! */
+
+    need_span(s, i);
+    for (int q = 0; q <= d; q++) {
+        value[0] = 1;
+        for (int p = 1; p <= d - q; p++)
+            raise_degree(s->t, i, p, s->t[i], value);
+        for (int p = d - q + 1; p <= d; p++)
+            raise_derivative(s->t, i, p, value);
+        for (int j = 0; j <= d; j++)
+            piece[j * (d + 1) + q] = scale * value[j];
+        scale *= (s->t[i + 1] - s->t[i]) / (q + 1);
+    }
+}
+
+void kw_bspline_blossom(const kw_bspline *s, int i, const double *u, double *value)
+{
+    need_span(s, i);
+    value[0] = 1;
+    for (int p = 1; p <= s->d; p++)
+        raise_degree(s->t, i, p, u[p - 1], value);
+}
+
+/* --- one function anywhere --- */
+
+/* a / b where b > 0, and 0 where b = 0: the convention of the recursion for a function of
+   lower order whose support is empty */
+static double ratio(double a, double b)
+{
+    return b > 0 ? a / b : 0;
+}
+
+/* Which of the k spans of function j holds x, or -1. */
+static int span_of_support(const kw_bspline *s, int j, double x)
+{
+    const double *t = s->t + j;
+
+    for (int i = 0; i <= s->d; i++)
+        if (t[i] <= x && x < t[i + 1])
+            return i;
+    if (x == s->t[s->n]) /* the right end: from the left */
+        for (int i = s->d; i >= 0; i--)
+            if (t[i] < x && x == t[i + 1])
+                return i;
+    return -1;
+}
+
+double kw_bspline_one(const kw_bspline *s, int j, int r, double x)
+{
+    const double *t = s->t + j;
+    double value[KW_BSPLINE_DEGREE + 1] = {0}; /* of the functions j, j+1, .. */
+    int d = s->d, span;
+
+    need_function(s, j);
+    KW_NEED(r >= 0, "derivative %d", r);
+    KW_NEED(isfinite(x), "x = %g", x);
+    span = span_of_support(s, j, x);
+    if (span < 0 || r > d)
+        return 0;
+    value[span] = 1;
+    for (int p = 1; p <= d; p++)
+        for (int i = 0; i <= d - p; i++) {
+            double left = ratio(value[i], t[i + p] - t[i]);
+            double right = ratio(value[i + 1], t[i + p + 1] - t[i + 1]);
+
+            value[i] = p <= d - r ? (x - t[i]) * left + (t[i + p + 1] - x) * right
+                                  : p * (left - right);
+        }
+    return value[0];
+}
+
+/* --- many points --- */
+
+void kw_bspline_basis_many(const kw_bspline *s, int count, const double *x, int *first,
+                           double *value)
+{
+    for (int i = 0; i < count; i++)
+        first[i] = kw_bspline_basis(s, x[i], value + (size_t)i * (size_t)(s->d + 1));
+}
+
+void kw_bspline_derivatives_many(const kw_bspline *s, int count, const double *x, int r,
+                                 int *first, double *value)
+{
+    size_t size = (size_t)(r + 1) * (size_t)(s->d + 1);
+
+    for (int i = 0; i < count; i++)
+        first[i] = kw_bspline_derivatives(s, x[i], r, value + (size_t)i * size);
+}
+
+void kw_bspline_one_many(const kw_bspline *s, int j, int r, int count, const double *x,
+                         double *value)
+{
+    for (int i = 0; i < count; i++)
+        value[i] = kw_bspline_one(s, j, r, x[i]);
+}

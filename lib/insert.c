@@ -1,0 +1,156 @@
+#include "insert.h"
+#include "need.h"
+#include <stdlib.h>
+#include <string.h>
+
+kw_bspline *kw_insert_new_knot(const kw_bspline *s, double x)
+{
+    int knots = s->n + s->d + 1, before = kw_bspline_span(s, x) + 1;
+    double *t = kw_need_memory((size_t)knots + 1, sizeof *t);
+    kw_bspline *fine;
+
+    KW_NEED(s->t[s->d] < x && x < s->t[s->n], "x = %.17g is not inside [%.17g, %.17g]", x,
+            s->t[s->d], s->t[s->n]);
+    memcpy(t, s->t, (size_t)before * sizeof *t);
+    t[before] = x;
+    memcpy(t + before + 1, s->t + before, (size_t)(knots - before) * sizeof *t);
+    fine = kw_bspline_new(s->d, s->n + 1, t);
+    free(t);
+    return fine;
+}
+
+kw_bspline *kw_insert_new_dyadic(const kw_bspline *s)
+{
+    int knots = s->n + s->d + 1, count = 0, first = 0, last = 0;
+    double *t = kw_need_memory(2 * (size_t)knots, sizeof *t);
+    kw_bspline *fine;
+
+    for (int i = 0; i < knots; i++) {
+        if (i == s->d)
+            first = count;
+        if (i == s->n)
+            last = count;
+        t[count++] = s->t[i];
+        if (i + 1 < knots && s->t[i] < s->t[i + 1]) {
+            double middle = s->t[i] + (s->t[i + 1] - s->t[i]) / 2;
+
+            KW_NEED(s->t[i] < middle && middle < s->t[i + 1],
+                    "no number between the knots %.17g and %.17g", s->t[i], s->t[i + 1]);
+            t[count++] = middle;
+        }
+    }
+    /* the domain begins at t[first] and ends at t[last]; d auxiliary knots on either side */
+    fine = kw_bspline_new(s->d, last - first + s->d, t + first - s->d);
+    free(t);
+    return fine;
+}
+
+void kw_insert_boehm(const kw_bspline *s, double x, int N, const double *c, double *fine)
+{
+    int i = kw_bspline_span(s, x), d = s->d;
+    const double *t = s->t;
+
+    KW_NEED(t[d] < x && x < t[s->n], "x = %.17g is not inside [%.17g, %.17g]", x, t[d],
+            t[s->n]);
+    KW_NEED(N >= 1, "N = %d", N);
+    for (int j = 0; j <= s->n; j++) {
+        /* the share of c_j: 1 before the span, 0 behind it */
+        double w = j <= i - d ? 1 : j > i ? 0 : (x - t[j]) / (t[j + d] - t[j]);
+
+        for (int a = 0; a < N; a++) {
+            double here = w > 0 ? w * c[j * N + a] : 0;
+            double before = w < 1 ? (1 - w) * c[(j - 1) * N + a] : 0;
+
+            fine[j * N + a] = here + before;
+        }
+    }
+}
+
+void kw_insert_need_nested(const kw_bspline *coarse, const kw_bspline *fine)
+{
+    KW_NEED(coarse->d == fine->d, "degrees %d and %d", coarse->d, fine->d);
+    KW_NEED(coarse->t[coarse->d] == fine->t[fine->d] &&
+                coarse->t[coarse->n] == fine->t[fine->n],
+            "domains [%.17g, %.17g] and [%.17g, %.17g]", coarse->t[coarse->d],
+            coarse->t[coarse->n], fine->t[fine->d], fine->t[fine->n]);
+    /* walk through the fine knots; every coarse one must be met in turn */
+    for (int i = coarse->d + 1, j = fine->d + 1; i < coarse->n; i++, j++) {
+        while (j < fine->n && fine->t[j] < coarse->t[i])
+            j++;
+        KW_NEED(j < fine->n && fine->t[j] == coarse->t[i],
+                "the coarse knot %.17g (t[%d]) is missing in the fine space",
+                coarse->t[i], i);
+    }
+}
+
+/* A fine coefficient is the blossom of the coarse piece at the d inner knots of the fine
+   function; the row of the matrix are the weights of that blossom. */
+int kw_insert_oslo_row(const kw_bspline *coarse, const kw_bspline *fine, int i,
+                       double *alpha)
+{
+    KW_NEED(0 <= i && i < fine->n, "function %d, not in 0 .. %d", i, fine->n - 1);
+    int span = kw_bspline_span(coarse, fine->t[kw_bspline_first_span(fine, i)]);
+
+    kw_bspline_blossom(coarse, span, fine->t + i + 1, alpha);
+    return span - coarse->d;
+}
+
+void kw_insert_oslo(const kw_bspline *coarse, const kw_bspline *fine, int N,
+                    const double *c, double *out)
+{
+    double alpha[KW_BSPLINE_DEGREE + 1];
+
+    kw_insert_need_nested(coarse, fine);
+    KW_NEED(N >= 1, "N = %d", N);
+    for (int i = 0; i < fine->n; i++) {
+        int first = kw_insert_oslo_row(coarse, fine, i, alpha);
+
+        for (int a = 0; a < N; a++) {
+            double sum = 0;
+
+            for (int j = 0; j <= coarse->d; j++)
+                sum += alpha[j] * c[(first + j) * N + a];
+            out[i * N + a] = sum;
+        }
+    }
+}
+
+/* The first function that is not yet non-zero before x. */
+static int first_fine_function(const kw_bspline *fine, double x)
+{
+    int low = 0, high = fine->n; /* functions below low lie before x, from high on not */
+
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+
+        if (fine->t[kw_bspline_first_span(fine, middle)] < x)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+int kw_insert_two_scale(const kw_bspline *coarse, const kw_bspline *fine, int j,
+                        int *first, double *coefficient)
+{
+    double alpha[KW_BSPLINE_DEGREE + 1];
+    int count = 0, d = coarse->d;
+
+    KW_NEED(0 <= j && j < coarse->n, "function %d, not in 0 .. %d", j, coarse->n - 1);
+    *first = 0;
+    for (int i = first_fine_function(fine, coarse->t[kw_bspline_first_span(coarse, j)]);
+         i < fine->n; i++) {
+        int from = kw_insert_oslo_row(coarse, fine, i, alpha);
+
+        if (from > j)
+            break;
+        if (j > from + d || alpha[j - from] == 0)
+            continue;
+        if (count == 0)
+            *first = i;
+        coefficient[i - *first] = alpha[j - from];
+        count = i - *first + 1;
+    }
+    return count;
+}
