@@ -14,4 +14,9 @@ if [ -n "$words" ]; then
     echo "cannot draw $3 from $1: $words" >&2
     exit 1
 fi
+# A thin outline for the cells of a surface. gnuplot's own `border` writes a group a cell,
+# four times the file.
+if grep -q 'with pm3d' "$1"; then
+    sed -i "s/<g stroke='none' shape-rendering='crispEdges'>/<g stroke='#505050' stroke-width='0.3' stroke-linejoin='round'>/" "$3.tmp"
+fi
 mv "$3.tmp" "$3"

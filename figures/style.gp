@@ -13,6 +13,8 @@ set samples 200
 BLUE = "#0072b2"; RED = "#d55e00"; GREEN = "#009e73"; PINK = "#cc79a7"
 GOLD = "#e69f00"; SKY = "#56b4e9"; GREY = "#808080"; LIGHT = "#d0d0d0"
 array COLOR[6] = [BLUE, RED, GREEN, PINK, GOLD, SKY]
+array RGB[6] = [0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9]
+hue(j) = RGB[int(j) % 6 + 1]
 do for [i=1:6] { set style line i lw 2 lc rgb COLOR[i] pt 7 ps 0.6 }
 set style line 7 lw 1 lc rgb GREY
 set style line 8 lw 0.8 lc rgb LIGHT

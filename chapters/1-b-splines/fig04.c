@@ -80,6 +80,8 @@ static double write_basis(kw_out *f, const char *name, const kw_bspline *s)
         for (int i = 0; i <= CELLS * SAMPLES; i++) {
             double x = (double)i / (CELLS * SAMPLES);
 
+            if (x < s->t[j] || x > s->t[j + s->d + 1])
+                continue; /* outside the support */
             kw_out_number(f, x);
             kw_out_number(f, kw_bspline_one(s, j, 0, x));
             kw_out_number(f, j);

@@ -1,0 +1,247 @@
+/* Curve properties -- affine invariance, locality, convex hulls, end points.
+
+   What to see: each span of the curve stays inside the hull of its own k control points (one
+   shade a span), and neighbouring hulls share all but one point.
+
+   Book: section 1.1, (9), the three properties of B-spline curves, and the text behind them.
+   Claims: bs.list2.*, bs.ends.*, bs.periodic.seam
+   Chosen here: 200 random open spaces with random control points; the cubic in the picture. */
+
+#include "bspline.h"   /* the functions */
+#include "claim.h"     /* what we found, for the ledger */
+#include "curve.h"     /* the curves */
+#include "out.h"       /* columns for gnuplot */
+#include "partition.h" /* random knots */
+#include <math.h>
+
+enum {
+    CASES = 200,
+    K = PARTITION_D + 1,
+    MOST_N = K + K * PARTITION_L,
+    POINTS = 20, /* of one span */
+    PLANE = 2
+};
+
+/* What should hold everywhere, and how far it fails at most, or how often. */
+typedef struct findings {
+    double affine, convex, hull, ends;
+    int more_than_k, not_k, knot, closed;
+} findings;
+
+/* Random control points in [-1,1]^2. */
+static void random_points(uint64_t i, int n, double *c)
+{
+    kw_rng r = kw_rng_at(5, 0, i, 0);
+
+    for (int j = 0; j < n * PLANE; j++)
+        c[j] = 2 * kw_rng_uniform(&r) - 1;
+}
+
+/* y = A x + v */
+static void affine_map(const double *x, double *y)
+{
+    y[0] = 2 * x[0] - 3 * x[1] + 5;
+    y[1] = x[0] + 4 * x[1] - 7;
+}
+
+static double affine_error(const kw_bspline *s, const double *c, double x)
+{
+    double mapped[MOST_N * PLANE], point[PLANE], first[PLANE], then[PLANE];
+
+    for (int j = 0; j < s->n; j++)
+        affine_map(c + j * PLANE, mapped + j * PLANE);
+    kw_curve_point(s, PLANE, c, x, point);
+    affine_map(point, first);
+    kw_curve_point(s, PLANE, mapped, x, then);
+    return fmax(fabs(first[0] - then[0]), fabs(first[1] - then[1]));
+}
+
+/* How far the point lies outside the hull of the k control points of span i: the largest
+   excess over them in 32 directions. */
+static double outside_hull(const kw_bspline *s, const double *c, int i, const double *point)
+{
+    double excess = -1;
+
+    for (int a = -8; a < 8; a++)
+        for (int side = -1; side <= 1; side += 2) {
+            double u = a, v = side * (8 - fabs((double)a)), most = -1e300;
+
+            for (int j = i - s->d; j <= i; j++)
+                most = fmax(most, u * c[j * PLANE] + v * c[j * PLANE + 1]);
+            excess = fmax(excess, u * point[0] + v * point[1] - most);
+        }
+    return excess;
+}
+
+static int count_nonzero(const kw_bspline *s, double x)
+{
+    int count = 0;
+
+    for (int j = 0; j < s->n; j++)
+        count += kw_bspline_one(s, j, 0, x) != 0;
+    return count;
+}
+
+/* The sum of the functions i-d .. i at x, which (9) restricted to a span needs to be 1. */
+static double sum_of_local(const kw_bspline *s, int i, double x)
+{
+    double sum = 0;
+
+    for (int j = i - s->d; j <= i; j++)
+        sum += kw_bspline_one(s, j, 0, x);
+    return sum;
+}
+
+static void look_at_span(const kw_bspline *s, const double *c, int i, findings *all)
+{
+    for (int q = 0; q < POINTS; q++) {
+        double x = s->t[i] + (s->t[i + 1] - s->t[i]) * (q + 0.5) / POINTS;
+        double value[K], point[PLANE], sum = 0, least = 0;
+        int count = count_nonzero(s, x);
+
+        kw_bspline_basis(s, x, value);
+        for (int j = 0; j <= s->d; j++) {
+            sum += value[j];
+            least = fmin(least, value[j]);
+        }
+        kw_curve_point(s, PLANE, c, x, point);
+        all->affine = fmax(all->affine, affine_error(s, c, x));
+        all->convex = fmax(all->convex, fmax(fabs(sum - 1), -least));
+        all->hull = fmax(all->hull, outside_hull(s, c, i, point));
+        all->more_than_k += count > s->d + 1;
+        all->not_k += count != s->d + 1;
+    }
+}
+
+/* At the interior breakpoints of multiplicity mu <= d: k - mu functions are non-zero, and the
+   closed span to the left may be used as well. */
+static void look_at_knots(const partition *p, const kw_bspline *s, findings *all)
+{
+    for (int left = p->d, c = 1; c < p->L; left += p->mu[c++ - 1]) {
+        if (p->mu[c - 1] > p->d)
+            continue;
+        all->knot += count_nonzero(s, p->tau[c]) != p->d + 1 - p->mu[c - 1];
+        all->closed += fabs(sum_of_local(s, left, p->tau[c]) - 1) > 1e-14;
+    }
+}
+
+static void look_at_ends(const kw_bspline *s, const double *c, findings *all)
+{
+    double start[PLANE], end[PLANE];
+
+    kw_curve_point(s, PLANE, c, s->t[s->d], start);
+    kw_curve_point(s, PLANE, c, s->t[s->n], end);
+    for (int a = 0; a < PLANE; a++) {
+        all->ends = fmax(all->ends, fabs(start[a] - c[a]));
+        all->ends = fmax(all->ends, fabs(end[a] - c[(s->n - 1) * PLANE + a]));
+    }
+}
+
+/* Property 2 on a closed interval with a knot k times: hats on 0,0,1,1,2,2, x = t_2 = 1 taken
+   into [t_1, t_2]: the sum of the weights j = 0, 1. */
+static double closed_interval_example(void)
+{
+    const double tau[] = {0, 1, 2};
+    const int mu[] = {2};
+    kw_bspline *s = kw_bspline_new_open(1, 2, tau, mu);
+    double sum = sum_of_local(s, 1, 1);
+
+    kw_bspline_free(s);
+    return sum;
+}
+
+/* A closed cubic curve: the largest difference of a derivative of order 0 .. 2 at the seam. */
+static double seam(void)
+{
+    const double tau[] = {0, 1, 3, 4, 6, 7};
+    kw_bspline *s = kw_bspline_new_periodic(3, 5, tau, NULL);
+    double c[MOST_N * PLANE], start[3 * PLANE], end[3 * PLANE], most = 0;
+
+    random_points(0, s->n, c);
+    kw_curve_close(s, PLANE, c);
+    kw_curve_derivatives(s, PLANE, c, tau[0], 2, start);
+    kw_curve_derivatives(s, PLANE, c, tau[5], 2, end);
+    for (int i = 0; i < 3 * PLANE; i++)
+        most = fmax(most, fabs(start[i] - end[i]));
+    kw_bspline_free(s);
+    return most;
+}
+
+/* The picture: a cubic with five spans; the hull of four points is the union of the
+   triangles that they form. */
+static void write_picture(kw_out *f)
+{
+    enum { D = 3, CELLS = 5, N = CELLS + D };
+    static const double c[N * PLANE] = {0,   0,   0.5, 1.8, 1.7, 2.6, 3.1, 1.9,
+                                        3.6, 0.3, 5,   0,   6.2, 1.1, 6.6, 2.6};
+    kw_bspline *s = kw_bspline_new_open_uniform(D, CELLS, 0, 1);
+
+    kw_out_section(f, "triangles", "x y span");
+    for (int i = D; i < N; i++)
+        for (int without = 0; without <= D; without++) {
+            for (int j = 0; j <= D; j++) {
+                if (j == without)
+                    continue;
+                kw_out_number(f, c[(i - D + j) * PLANE]);
+                kw_out_number(f, c[(i - D + j) * PLANE + 1]);
+                kw_out_number(f, i - D);
+                kw_out_row(f);
+            }
+            kw_out_gap(f);
+        }
+    kw_out_section(f, "curve", "x y span");
+    for (int i = D; i < N; i++) {
+        for (int q = 0; q <= POINTS; q++) {
+            double x = fmin(s->t[i] + (s->t[i + 1] - s->t[i]) * q / POINTS, 1);
+            double point[PLANE];
+
+            kw_curve_point(s, PLANE, c, x, point);
+            kw_out_number(f, point[0]);
+            kw_out_number(f, point[1]);
+            kw_out_number(f, i - D);
+            kw_out_row(f);
+        }
+        kw_out_gap(f);
+    }
+    kw_out_section(f, "polygon", "x y");
+    for (int j = 0; j < N; j++) {
+        kw_out_number(f, c[j * PLANE]);
+        kw_out_number(f, c[j * PLANE + 1]);
+        kw_out_row(f);
+    }
+    kw_bspline_free(s);
+}
+
+int main(void)
+{
+    kw_out *f = kw_out_data("ex_curve_properties");
+    kw_out *report = kw_claim_new("ex_curve_properties");
+    findings all = {.affine = 0, .hull = -1};
+    double c[MOST_N * PLANE];
+
+    for (uint64_t i = 0; i < CASES; i++) {
+        partition p = random_partition(6, i);
+        kw_bspline *s = partition_space(&p);
+
+        random_points(i, s->n, c);
+        for (int span = s->d; span < s->n; span++)
+            if (s->t[span] < s->t[span + 1])
+                look_at_span(s, c, span, &all);
+        look_at_knots(&p, s, &all);
+        look_at_ends(s, c, &all);
+        kw_bspline_free(s);
+    }
+    write_picture(f);
+
+    kw_claim_real(report, "bs.list2.affine", all.affine);
+    kw_claim_real(report, "bs.list2.convex", all.convex);
+    kw_claim_real(report, "bs.list2.hull", all.hull);
+    kw_claim_count(report, "bs.list2.more-than-k", all.more_than_k);
+    kw_claim_count(report, "bs.list2.inside", all.not_k);
+    kw_claim_count(report, "bs.list2.knot", all.knot);
+    kw_claim_count(report, "bs.list2.closed.simple", all.closed);
+    kw_claim_real(report, "bs.list2.closed", closed_interval_example());
+    kw_claim_real(report, "bs.ends.open", all.ends);
+    kw_claim_real(report, "bs.periodic.seam", seam());
+    return kw_out_close(f) | kw_out_close(report);
+}
