@@ -149,8 +149,9 @@ int kw_insert_two_scale(const kw_bspline *coarse, const kw_bspline *fine, int j,
             continue;
         if (count == 0)
             *first = i;
-        coefficient[i - *first] = alpha[j - from];
-        count = i - *first + 1;
+        while (count < i - *first) /* a zero between two coefficients */
+            coefficient[count++] = 0;
+        coefficient[count++] = alpha[j - from];
     }
     return count;
 }

@@ -27,8 +27,10 @@ kw_bspline *kw_insert_new_dyadic(const kw_bspline *s);
 void kw_insert_boehm(const kw_bspline *s, double x, int N, const double *c, double *fine);
 
 /* Row i of the Oslo matrix: the fine coefficient i is the sum of
-   alpha[0..d] times the coarse coefficients from `first` on; returns first. The alpha are
-   non-negative up to rounding and add up to one. */
+   alpha[0..d] times the coarse coefficients from `first` on; returns first. The alpha add up
+   to one; on open knots none is negative. Where the knots are not open, rows near an end
+   are extrapolated from the nearest span of the domain, and lose as many digits as the
+   auxiliary spans are longer than that span, to the power d. */
 int kw_insert_oslo_row(const kw_bspline *coarse, const kw_bspline *fine, int i,
                        double *alpha);
 

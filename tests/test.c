@@ -83,7 +83,7 @@ kw_bspline *test_random_space(kw_rng *r, int highest)
     double t[2 * K + SPANS * K], width[] = {1, 0.01, 30};
     int d = kw_rng_below(r, highest + 1), spans = 1 + kw_rng_below(r, SPANS);
     int open = kw_rng_below(r, 2), count = d + 1;
-    double x = test_random_in(r, -2, 2);
+    double x = test_random_in(r, -2, 2), first, last;
     kw_bspline *s;
 
     t[d] = x;
@@ -94,11 +94,13 @@ kw_bspline *test_random_space(kw_rng *r, int highest)
         while (copies-- > 0)
             t[count++] = x;
     }
+    first = t[d + 1] - t[d];
+    last = t[count - 1] - t[count - 2];
     for (int i = 1; i <= d; i++) {
-        t[d - i] = open ? t[d] : t[d - i + 1] - kw_rng_below(r, 3);
-        t[count - 1 + i] = open ? x : t[count - 2 + i] + kw_rng_below(r, 3);
+        t[d - i] = t[d - i + 1] - (open ? 0 : kw_rng_below(r, 3) * first);
+        t[count - 1 + i] = t[count - 2 + i] + (open ? 0 : kw_rng_below(r, 3) * last);
     }
-    s = kw_bspline_new(d, count - d - 1, t);
+    s = kw_bspline_new(d, count - 1, t);
     return s;
 }
 

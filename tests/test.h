@@ -25,7 +25,8 @@ int test_end(void);
 void test_aborts(const char *text, void (*call)(void));
 
 /* A random space: degree 0 .. highest, 1 .. 6 spans of very different lengths, knots of
-   every multiplicity up to k, open or with arbitrary auxiliary knots. The caller frees. */
+   every multiplicity up to k, open or with auxiliary knots 0, 1 or 2 times the neighbouring
+   span apart. The caller frees. */
 kw_bspline *test_random_space(kw_rng *r, int highest);
 
 /* A random point of the domain; one in four is a knot, one in eight an end. */

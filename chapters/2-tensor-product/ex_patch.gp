@@ -14,8 +14,8 @@ set size ratio -1
 plot data index "net" using 1:2 with linespoints lw 1 dt 2 lc rgb GREY pt 7 ps 0.5, \
      data index "lines" using 1:2 with lines lw 1 lc rgb BLUE
 set size noratio
-set size 0.54,1.1
-set origin 0.46,-0.06
+set size 0.54,1.02
+set origin 0.46,0.02
 set title "surface, N = 3" offset 0,-2
 set border 31 lw 0.8 lc rgb LIGHT
 set xyplane at 0
