@@ -33,8 +33,8 @@ kw_bspline *kw_bspline_new(int d, int n, const double *t)
     kw_bspline *s = kw_need_memory(1, sizeof *s);
     s->d = d;
     s->n = n;
-    s->t = kw_need_memory((size_t)(n + d + 1), sizeof *s->t);
-    memcpy(s->t, t, (size_t)(n + d + 1) * sizeof *t);
+    s->t = kw_need_memory((size_t)n + (size_t)d + 1, sizeof *s->t);
+    memcpy(s->t, t, ((size_t)n + (size_t)d + 1) * sizeof *t);
     return s;
 }
 
@@ -107,7 +107,7 @@ kw_bspline *kw_bspline_new_uniform(int d, int cells, double a, double b)
     kw_bspline *s;
 
     need_degree(d);
-    t = kw_need_memory((size_t)(cells + 2 * d + 1), sizeof *t);
+    t = kw_need_memory((size_t)cells + 2 * (size_t)d + 1, sizeof *t);
     for (int i = 0; i <= cells + 2 * d; i++) {
         int cell = i - d;
 
@@ -125,7 +125,7 @@ kw_bspline *kw_bspline_new_periodic(int d, int L, const double *tau, const int *
     double *t0 = repeat_knots(d, L, tau, mu, 1, &count); /* t[d] .. t[n] */
     int period = count - 1, n = d + period;
     double width = tau[L] - tau[0];
-    double *t = kw_need_memory((size_t)(n + d + 1), sizeof *t);
+    double *t = kw_need_memory((size_t)n + (size_t)d + 1, sizeof *t);
     kw_bspline *s;
 
     for (int i = 0; i < count; i++)
@@ -267,7 +267,7 @@ void kw_bspline_derivatives_on(const kw_bspline *s, int i, double x, int r, doub
     KW_NEED(r >= 0, "derivative %d", r);
     for (int q = 0; q <= r; q++, value += d + 1) {
         if (q > d) {
-            memset(value, 0, (size_t)(d + 1) * sizeof *value);
+            memset(value, 0, ((size_t)d + 1) * sizeof *value);
             continue;
         }
         value[0] = 1;
@@ -321,18 +321,15 @@ static double ratio(double a, double b)
     return b > 0 ? a / b : 0;
 }
 
-/* Which of the k spans of function j holds x, or -1. */
+/* Which of the k spans of function j holds x, or -1. At the right end of the domain it is
+   the span to the left. */
 static int span_of_support(const kw_bspline *s, int j, double x)
 {
     const double *t = s->t + j;
 
     for (int i = 0; i <= s->d; i++)
-        if (t[i] <= x && x < t[i + 1])
+        if (x == s->t[s->n] ? t[i] < x && x <= t[i + 1] : t[i] <= x && x < t[i + 1])
             return i;
-    if (x == s->t[s->n]) /* the right end: from the left */
-        for (int i = s->d; i >= 0; i--)
-            if (t[i] < x && x == t[i + 1])
-                return i;
     return -1;
 }
 

@@ -20,7 +20,6 @@ enum { COLUMNS = 7, LONGEST = 4096 };
 
 typedef struct claim {
     char *id, *kind, *printed, *ours, *tol, *where, *note;
-    int line;
     const char *driver;  /* who reported it; NULL if nobody did */
     const char *erratum; /* the erratum that names it; NULL if none does */
 } claim;
@@ -74,10 +73,9 @@ static char *read_line(FILE *f, const char *path, char *line)
 
 static char *copy(const char *s)
 {
-    char *c = kw_need_memory(strlen(s) + 1, 1);
+    size_t size = strlen(s) + 1;
 
-    strcpy(c, s);
-    return c;
+    return memcpy(kw_need_memory(size, 1), s, size);
 }
 
 /* Cuts `line` at its tabs; the number of fields, counted beyond `most` too. */
@@ -148,15 +146,15 @@ static void read_claims(ledger *all, const char *path)
     char text[LONGEST], *field[COLUMNS];
 
     for (int line = 1; read_line(f, path, text); line++) {
-        claim c = {.line = line};
+        claim c = {.driver = NULL};
         int fields;
 
         if (text[0] == 0 || text[0] == '#')
             continue;
         fields = split(text, field, COLUMNS);
         if (fields != COLUMNS) {
-            defect(all, "%s:%d: %d columns instead of %d: %s", path, line, fields, COLUMNS,
-                   text);
+            defect(all, "%s:%d: %d columns instead of %d: %s", path, line, fields,
+                   COLUMNS, text);
             continue;
         }
         c.id = copy(field[0]);
@@ -217,7 +215,8 @@ static void read_report(ledger *all, const char *folder, const char *driver)
         }
         c = find(all, field[0]);
         if (!c) {
-            defect(all, "claim %s, reported by %s, is not in the ledger", field[0], driver);
+            defect(all, "claim %s, reported by %s, is not in the ledger", field[0],
+                   driver);
             continue;
         }
         if (c->driver)
@@ -266,22 +265,25 @@ static int differs(const claim *c)
     return strcmp(c->kind, "max") == 0 ? printed > ours : printed != ours;
 }
 
-/* Is `word` an item of the comma-separated `list'? */
+static int separates(char c)
+{
+    return c == 0 || c == ' ' || c == ',';
+}
+
+/* Is `word` an item of the comma-separated `list`? */
 static int listed(const char *list, const char *word)
 {
     size_t length = strlen(word);
 
-    for (const char *s = list; (s = strstr(s, word)); s += length) {
-        char before = s == list ? ' ' : s[-1], after = s[length];
-
-        if (strchr(" ,", before) && (after == 0 || strchr(" ,", after)))
+    for (const char *s = list; (s = strstr(s, word)); s += length)
+        if ((s == list || separates(s[-1])) && separates(s[length]))
             return 1;
-    }
     return 0;
 }
 
 /* What a finished section must have: a claim that differs, and programs that show them. */
-static void check_erratum(ledger *all, const char *erratum, char *ids, const char *programs)
+static void check_erratum(ledger *all, const char *erratum, char *ids,
+                          const char *programs)
 {
     int differ = 0;
 
@@ -321,9 +323,9 @@ static void check_errata(ledger *all, const char *path)
                 snprintf(erratum, sizeof erratum, "%.*s", (int)strcspn(text + 3, " ."),
                          text + 3);
         } else if (strncmp(text, LEDGER, sizeof LEDGER - 1) == 0)
-            strcpy(ids, text + sizeof LEDGER - 1);
+            snprintf(ids, sizeof ids, "%s", text + sizeof LEDGER - 1);
         else if (strncmp(text, SHOWN, sizeof SHOWN - 1) == 0)
-            strcpy(programs, text + sizeof SHOWN - 1);
+            snprintf(programs, sizeof programs, "%s", text + sizeof SHOWN - 1);
     }
     fclose(f);
     for (int i = 0; i < all->count; i++) {
@@ -347,7 +349,8 @@ static void check_items(ledger *all, const char *path)
         if (text[0] == '#')
             continue;
         if (sscanf(text, "%15s %d %d", kind, &first, &last) != 3) {
-            defect(all, "%s: `%s' is not an item and its first and last number", path, text);
+            defect(all, "%s: `%s' is not an item and its first and last number", path,
+                   text);
             continue;
         }
         for (int i = first; i <= last; i++) {

@@ -13,7 +13,8 @@ enum { SHOWN = 5 }; /* failures of one test that are printed */
 
 static int failed_checks, failed_tests;
 
-void test_failed(const char *file, int line, const char *condition, const char *format, ...)
+void test_failed(const char *file, int line, const char *condition, const char *format,
+                 ...)
 {
     va_list values;
 
@@ -80,7 +81,8 @@ double test_random_in(kw_rng *r, double low, double high)
 kw_bspline *test_random_space(kw_rng *r, int highest)
 {
     enum { SPANS = 6, K = KW_BSPLINE_DEGREE + 1 };
-    double t[2 * K + SPANS * K], width[] = {1, 0.01, 30};
+    const double width[] = {1, 0.01, 30};
+    double t[2 * K + SPANS * K];
     int d = kw_rng_below(r, highest + 1), spans = 1 + kw_rng_below(r, SPANS);
     int open = kw_rng_below(r, 2), count = d + 1;
     double x = test_random_in(r, -2, 2), first, last;

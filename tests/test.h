@@ -9,11 +9,10 @@
 /* Counts and prints a failure unless `condition` holds; a printf format with the values
    comes behind it. */
 #define CHECK(condition, ...)                                                            \
-    ((condition) ? (void)0                                                               \
-                 : test_failed(__FILE__, __LINE__, #condition, __VA_ARGS__))
+    ((condition) ? (void)0 : test_failed(__FILE__, __LINE__, #condition, __VA_ARGS__))
 
-void test_failed(const char *file, int line, const char *condition, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
+void test_failed(const char *file, int line, const char *condition, const char *format,
+                 ...) __attribute__((format(printf, 4, 5)));
 
 /* Runs one test and prints `ok - name` or `not ok - name`. */
 void test_run(const char *name, void (*test)(void));

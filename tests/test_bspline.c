@@ -190,7 +190,7 @@ static void one_function_right_end(const kw_bspline *s, kw_rng *r)
 
 static void derivative_rows(const kw_bspline *s, kw_rng *r)
 {
-    double value[ROOM], basis[K], size[K];
+    double value[ROOM], basis[K] = {0}, size[K];
     int d = s->d, k = d + 1;
 
     for (int order = 0; order <= d + 2; order += 1 + d / 8) {
@@ -372,7 +372,7 @@ static void cardinal_pieces(void)
     kw_bspline *s = kw_bspline_new_uniform(3, 5, -1, 4);
 
     for (int i = s->d; i < s->n; i++) {
-        double piece[ROOM], size[K], factorial = 1;
+        double piece[ROOM], size[K] = {0}, factorial = 1;
 
         kw_bspline_pieces(s, i, piece);
         for (int q = 0; q <= 3; factorial *= ++q) {

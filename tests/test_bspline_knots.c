@@ -84,7 +84,8 @@ static void greville_place(const kw_bspline *s, kw_rng *r)
 
         CHECK(s->t[j] <= g && g <= s->t[j + d + 1], "function %d: %.17g", j, g);
         CHECK(before <= g, "function %d: %.17g behind %.17g", j, g, before);
-        CHECK(d > 0 || g == s->t[j] / 2 + s->t[j + 1] / 2 ||
+        /* the middle has four roundings of at most |a| + |b| */
+        CHECK(d > 0 ||
                   fabs(g - (s->t[j] + s->t[j + 1]) / 2) <= bound(4, fabs(a) + fabs(b)),
               "middle %d: %.17g", j, g);
         before = g;
@@ -209,14 +210,15 @@ static void periodic_spaces(void)
     }
 }
 
-static void copies(const kw_bspline *s, kw_rng *r)
+static void copy_alone(const kw_bspline *s, kw_rng *r)
 {
     size_t bytes = (size_t)(s->n + s->d + 1) * sizeof *s->t;
     kw_bspline *first = kw_bspline_new_copy(s), *second = kw_bspline_new_copy(first);
 
     (void)r;
     CHECK(first->t != s->t && second->t != first->t, "knots are shared");
-    memset(first->t, 0, bytes);
+    for (int i = 0; i <= s->n + s->d; i++)
+        first->t[i] = 0;
     kw_bspline_free(first);
     CHECK(second->d == s->d && second->n == s->n, "d = %d, n = %d", second->d, second->n);
     CHECK(memcmp(second->t, s->t, bytes) == 0, "other knots");
@@ -308,7 +310,7 @@ static void degree_31(void)
     const double tau[] = {0, 2};
     const int d = KW_BSPLINE_DEGREE;
     kw_bspline *s = kw_bspline_new_open(d, 1, tau, NULL);
-    double value[ROOM], size[K], want = ldexp(1, -d);
+    double value[ROOM], size[K] = {0}, want = ldexp(1, -d);
 
     CHECK(s->n == K, "n = %d", s->n);
     poison(value, (K + 1) * K);
@@ -338,7 +340,7 @@ int main(void)
     test_run("bspline: uniform functions are shifts of one another", uniform_shifts);
     test_run("bspline: periodic spaces repeat their knots, and beyond d",
              periodic_spaces);
-    run_over_spaces("bspline: a copy stands alone", all, copies);
+    run_over_spaces("bspline: a copy stands alone", all, copy_alone);
     run_over_spaces("bspline: many points are points one by one, bit for bit", 8,
                     many_points);
     run_over_spaces("bspline: so at degrees up to 31", all, many_points);

@@ -75,8 +75,11 @@ static double norm(int count, const double *a, int step)
 {
     double sum = 0;
 
-    for (int i = 0; i < count; i++)
-        sum += a[i * step] * a[i * step];
+    for (int i = 0; i < count; i++) {
+        double entry = a[(size_t)i * (size_t)step];
+
+        sum += entry * entry;
+    }
     return sqrt(sum);
 }
 
@@ -91,7 +94,7 @@ static double norm(int count, const double *a, int step)
 static void a_product_has_its_rank(void)
 {
     kw_rng random = kw_rng_at(51, 0, 0, 0);
-    double P[MOST * MOST], Q[MOST * MOST], T[MOST * MOST], A[MOST * MOST];
+    double P[MOST * MOST] = {0}, Q[MOST * MOST] = {0}, T[MOST * MOST], A[MOST * MOST];
 
     for (int round = 0; round < 1000; round++) {
         int m = 1 + kw_rng_below(&random, MOST), n = 1 + kw_rng_below(&random, MOST);
@@ -228,7 +231,7 @@ static void solve_finds_a_known_solution(void)
 {
     enum { RHS = 3 };
     kw_rng random = kw_rng_at(53, 0, 0, 0);
-    double A[MOST * MOST], X[MOST * RHS], B[MOST * RHS];
+    double A[MOST * MOST] = {0}, X[MOST * RHS] = {0}, B[MOST * RHS];
 
     for (int round = 0; round < 500; round++) {
         int n = 1 + kw_rng_below(&random, MOST), rhs = 1 + kw_rng_below(&random, RHS);
@@ -343,7 +346,7 @@ static void an_exact_fit_is_found(void)
 {
     enum { RHS = 3 };
     kw_rng random = kw_rng_at(57, 0, 0, 0);
-    double A[MOST * MOST], X[MOST * RHS], B[MOST * RHS];
+    double A[MOST * MOST] = {0}, X[MOST * RHS] = {0}, B[MOST * RHS];
 
     for (int round = 0; round < 500; round++) {
         int n = 1 + kw_rng_below(&random, MOST),
@@ -362,7 +365,7 @@ static void an_exact_fit_is_found(void)
         for (int i = 0; i < n * rhs; i++)
             CHECK(fabs(B[i] - X[i]) <= bound, "%d x %d: %g, not %g", m, n, B[i], X[i]);
         for (int j = 0; j < rhs; j++)
-            CHECK(norm(m - n, B + n * rhs + j, rhs) <= bound, "%d x %d: residual", m, n);
+            CHECK(norm(m - n, &B[n * rhs + j], rhs) <= bound, "%d x %d: residual", m, n);
     }
 }
 
@@ -374,9 +377,11 @@ static void dependent_columns_are_refused(void)
     for (int n = 2; n <= MOST; n++)
         for (int m = n; m <= MOST; m++) {
             tall(&random, m, n, A);
-            for (int i = 0; i < m;
-                 i++) /* the last column is the first or the sum of two */
-                A[i * n + n - 1] = A[i * n] + (m % 2 && n > 2 ? A[i * n + 1] : 0);
+            for (int i = 0; i < m; i++) { /* the last column is the sum of others */
+                double *row = A + (size_t)i * (size_t)n;
+
+                row[n - 1] = row[0] + (m % 2 && n > 2 ? row[1] : 0);
+            }
             CHECK(kw_dense_least_squares(m, n, 1, A, B) == 1, "%d x %d", m, n);
         }
     memset(A, 0, sizeof A);

@@ -30,7 +30,8 @@ static void look_at_knots(const kw_bspline *s, findings *all)
     int k = s->d + 1;
 
     all->dimension += s->n != k;
-    all->knots += kw_bspline_multiplicity(s, 0) != k || kw_bspline_multiplicity(s, 1) != k;
+    all->knots +=
+        kw_bspline_multiplicity(s, 0) != k || kw_bspline_multiplicity(s, 1) != k;
 }
 
 static void compare_functions(const kw_bspline *s, findings *all)

@@ -58,7 +58,8 @@ static double affine_error(const kw_bspline *s, const double *c, double x)
 
 /* How far the point lies outside the hull of the k control points of span i: the largest
    excess over them in 32 directions. */
-static double outside_hull(const kw_bspline *s, const double *c, int i, const double *point)
+static double outside_hull(const kw_bspline *s, const double *c, int i,
+                           const double *point)
 {
     double excess = -1;
 

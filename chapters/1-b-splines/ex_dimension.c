@@ -116,7 +116,8 @@ static int cells_with(const partition *p, double x)
     int count = 0;
 
     for (int i = 0; i < p->L; i++)
-        count += p->tau[i] <= x && (x < p->tau[i + 1] || (i == p->L - 1 && x == p->tau[p->L]));
+        count +=
+            p->tau[i] <= x && (x < p->tau[i + 1] || (i == p->L - 1 && x == p->tau[p->L]));
     return count;
 }
 

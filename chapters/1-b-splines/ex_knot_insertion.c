@@ -95,14 +95,16 @@ static double polygon_distance(spline f)
 }
 
 /* What should be zero, and by how much it is not. */
-typedef struct findings { double boehm, oslo, dyadic, elevated, row_sum, least; } findings;
+typedef struct findings {
+    double boehm, oslo, dyadic, elevated, row_sum, least;
+} findings;
 
 /* One knot after the other at the middle of every span, by Boehm's rule; the result must be
    that of all at once, by the Oslo rows. */
 static void try_insertion(spline f, findings *all)
 {
-    spline fine = insert_dyadic(f), slow = insert_one(f, (f.s->t[f.s->d] +
-                                                          f.s->t[f.s->d + 1]) / 2);
+    spline fine = insert_dyadic(f),
+           slow = insert_one(f, (f.s->t[f.s->d] + f.s->t[f.s->d + 1]) / 2);
 
     for (int i = f.s->d + 1; i < f.s->n; i++)
         if (f.s->t[i] < f.s->t[i + 1]) {
@@ -172,7 +174,8 @@ static void write_curve(kw_out *f, spline g)
 
 /* Writes the polygons of the first rounds; returns by what factor the distance of the
    polygon shrinks in the last one. */
-static double write_rounds(kw_out *f, const char *const *name, spline f0, spline step(spline))
+static double write_rounds(kw_out *f, const char *const *name, spline f0,
+                           spline step(spline))
 {
     double before = 0, now = polygon_distance(f0);
     spline g = step(f0);
@@ -194,7 +197,8 @@ static double write_rounds(kw_out *f, const char *const *name, spline f0, spline
 int main(void)
 {
     enum { D = 3, CELLS = 3, N = CELLS + D };
-    static const double points[N * PLANE] = {0, 0, 0.4, 2, 2.4, 2.6, 3.2, -0.4, 5, 0, 5.4, 2.4};
+    static const double points[N * PLANE] = {0,   0,    0.4, 2, 2.4, 2.6,
+                                             3.2, -0.4, 5,   0, 5.4, 2.4};
     const char *const dyadic[] = {"halved once", "halved twice"};
     const char *const degree[] = {"degree 4", "degree 5"};
     kw_out *f = kw_out_data("ex_knot_insertion");

@@ -8,9 +8,9 @@
    Claims: bs.def3.*, bs.rem2.chain*, bs.list1.*
    Chosen here: order 3 on the knots 0,0,0,1,2,3,3,3, and random knots. */
 
-#include "bspline.h" /* the corrected recursion */
-#include "claim.h"   /* what we found, for the ledger */
-#include "out.h"     /* columns for gnuplot */
+#include "bspline.h"   /* the corrected recursion */
+#include "claim.h"     /* what we found, for the ledger */
+#include "out.h"       /* columns for gnuplot */
 #include "partition.h" /* random knots */
 #include <math.h>
 
@@ -133,8 +133,9 @@ static void report_readings(kw_out *report, const double *open)
         least = fmin(least, printed(EVERY_J, USUAL, open, j, K, b));
     for (int i = 0; i < SAMPLES; i++)
         for (int j = 0; j <= N; j++)
-            change = fmax(change, fabs(printed(NONE, GUARDED, chain, j, K, b * i / SAMPLES) -
-                                       printed(NONE, GUARDED, open, j, K, b * i / SAMPLES)));
+            change =
+                fmax(change, fabs(printed(NONE, GUARDED, chain, j, K, b * i / SAMPLES) -
+                                  printed(NONE, GUARDED, open, j, K, b * i / SAMPLES)));
 
     kw_claim_count(report, "bs.def3.nan", count_nan(open));
     kw_claim_real(report, "bs.def3.guarded", worst_guarded(open));
@@ -144,8 +145,10 @@ static void report_readings(kw_out *report, const double *open)
     kw_claim_count(report, "bs.def3.end.n.usual", only_function(J_IS_N, USUAL, open, b));
     kw_claim_count(report, "bs.def3.end.last",
                    only_function(LAST_OF_ORDER_1, GUARDED, open, b));
-    kw_claim_real(report, "bs.def3.end.simple.none", sum_printed(NONE, USUAL, not_open, 3));
-    kw_claim_real(report, "bs.def3.end.simple.n", sum_printed(J_IS_N, USUAL, not_open, 3));
+    kw_claim_real(report, "bs.def3.end.simple.none",
+                  sum_printed(NONE, USUAL, not_open, 3));
+    kw_claim_real(report, "bs.def3.end.simple.n",
+                  sum_printed(J_IS_N, USUAL, not_open, 3));
     kw_claim_real(report, "bs.rem2.chain.inside", change);
     kw_claim_real(report, "bs.rem2.chain.end", printed(J_IS_N, USUAL, chain, N, K, b));
     kw_claim_count(report, "bs.def3.order1", N + K);

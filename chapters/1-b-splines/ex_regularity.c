@@ -20,7 +20,9 @@ enum { CASES = 150, K = PARTITION_D + 1, MOST_N = K + K * PARTITION_L, SAMPLES =
 
 /* The largest jump taken for zero and the smallest taken for a jump. Between them lie many
    powers of ten, or the counts below mean nothing. */
-typedef struct jumps { double zero, least; } jumps;
+typedef struct jumps {
+    double zero, least;
+} jumps;
 
 /* Jumps of the r-th derivative below this are rounding: derivatives grow by at most 2d a
    step here (no cell is shorter than 1), and about 3d roundings go into each. */
@@ -66,7 +68,9 @@ static int own_multiplicity(const kw_bspline *s, int j, double x)
     return count;
 }
 
-typedef struct counts { int own, printed, space, global; } counts;
+typedef struct counts {
+    int own, printed, space, global;
+} counts;
 
 static void count_regularity(const partition *p, counts *off, jumps *seen)
 {

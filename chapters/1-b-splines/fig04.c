@@ -112,8 +112,8 @@ int main(void)
         double third = polynomial(piece[i], D, 0) - polynomial(piece[i - 1], D, 1);
 
         for (int r = 0; r < D; r++)
-            jump = fmax(jump, fabs(polynomial(piece[i], r, 0) -
-                                   polynomial(piece[i - 1], r, 1)));
+            jump = fmax(
+                jump, fabs(polynomial(piece[i], r, 0) - polynomial(piece[i - 1], r, 1)));
         kink = fmin(kink, fabs(third));
         different += third != 0;
     }

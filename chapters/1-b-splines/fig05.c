@@ -20,11 +20,12 @@ static const double planar[POINTS * PLANE] = {0, 0,   0.6, 2.2, 2.2, 2.6, 2.8, 0
                                               4, 0.2, 4.6, 2.4, 6.2, 2.2, 6.6, 0.6};
 
 /* two turns of a square screw */
-static const double spatial[POINTS * SPACE] = {1,  0,  0, 1,  1,  0.4, -1, 1,  0.8, -1, -1, 1.2,
-                                               1, -1, 1.6, 1, 1, 2, -1, 1, 2.4, -1, 0, 2.8};
+static const double spatial[POINTS * SPACE] = {1,   0,  0,  1,   1,   0.4, -1,  1,
+                                               0.8, -1, -1, 1.2, 1,   -1,  1.6, 1,
+                                               1,   2,  -1, 1,   2.4, -1,  0,   2.8};
 
-static void write_points(kw_out *f, const char *name, const char *columns, int count, int N,
-                         const double *point)
+static void write_points(kw_out *f, const char *name, const char *columns, int count,
+                         int N, const double *point)
 {
     kw_out_section(f, name, columns);
     for (int i = 0; i < count; i++) {
@@ -66,8 +67,8 @@ int main(void)
     kw_curve_deboor_many(s, SPACE, spatial, SAMPLES + 1, x, again);
     difference = fmax(difference, distance((SAMPLES + 1) * SPACE, curve, again));
     ends = fmax(ends, distance(SPACE, curve, spatial));
-    ends = fmax(ends, distance(SPACE, curve + SAMPLES * SPACE,
-                               spatial + (POINTS - 1) * SPACE));
+    ends = fmax(ends,
+                distance(SPACE, curve + SAMPLES * SPACE, spatial + (POINTS - 1) * SPACE));
     write_points(f, "spatial polygon", "x y z", POINTS, SPACE, spatial);
     write_points(f, "spatial curve", "x y z", SAMPLES + 1, SPACE, curve);
 

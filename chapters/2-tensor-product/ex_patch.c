@@ -21,11 +21,11 @@ enum { N1 = 5, N2 = 4, POINTS = N1 * N2, LINES = 10, FINE = 40, SPACE = 3, RANDO
 
 /* Control points of the patch in the plane and, with their heights, of the surface. */
 static const double points[POINTS * SPACE] = {
-    0,    0,    0,   -0.3, 1,    0.4, -0.2, 2,    0.6, 0.2,  3,    0.2, /* j_1 = 0 */
-    1,    -0.4, 0.6, 0.9,  0.8,  1.6, 1.1,  2.1,  1.4, 1.2,  3.3,  0.6, /* j_1 = 1 */
-    2.1,  -0.5, 0.4, 2,    0.9,  0.2, 2.2,  2.2,  0.4, 2.1,  3.5,  0.8, /* j_1 = 2 */
-    3.2,  -0.1, 0.8, 3,    1,    1.2, 3.1,  2,    1.6, 3.3,  3.2,  1,   /* j_1 = 3 */
-    4,    0.3,  0.2, 4.3,  1.2,  0.6, 4.4,  2.1,  0.4, 4.1,  2.8,  0};  /* j_1 = 4 */
+    0,   0,    0,   -0.3, 1,   0.4, -0.2, 2,   0.6, 0.2, 3,   0.2, /* j_1 = 0 */
+    1,   -0.4, 0.6, 0.9,  0.8, 1.6, 1.1,  2.1, 1.4, 1.2, 3.3, 0.6, /* j_1 = 1 */
+    2.1, -0.5, 0.4, 2,    0.9, 0.2, 2.2,  2.2, 0.4, 2.1, 3.5, 0.8, /* j_1 = 2 */
+    3.2, -0.1, 0.8, 3,    1,   1.2, 3.1,  2,   1.6, 3.3, 3.2, 1,   /* j_1 = 3 */
+    4,   0.3,  0.2, 4.3,  1.2, 0.6, 4.4,  2.1, 0.4, 4.1, 2.8, 0};  /* j_1 = 4 */
 
 static kw_tensor *new_space(void)
 {
@@ -77,7 +77,10 @@ static void write_net(kw_out *f, const kw_tensor *g)
 
 /* The control points that count at x are those of 3 x 3 functions: the point lies between
    their least and largest coordinates, and it is their sum with weights. */
-typedef struct findings { double sum, affine, box; int active; } findings;
+typedef struct findings {
+    double sum, affine, box;
+    int active;
+} findings;
 
 static void look_at(const kw_tensor *g, const double *x, findings *all)
 {
@@ -193,8 +196,9 @@ static int jumping_orders(const kw_tensor *g)
             double a = 0, b = 0;
 
             for (int i = 0; i < 3; i++) {
-                a += left[r * 3 + i] * points[((line - 3 + i) * N2 + j2) * SPACE + 2];
-                b += right[r * 3 + i] * points[((line - 2 + i) * N2 + j2) * SPACE + 2];
+                a += left[r * 3 + i] *
+                     points[((line - 1 - s->d + i) * N2 + j2) * SPACE + 2];
+                b += right[r * 3 + i] * points[((line - s->d + i) * N2 + j2) * SPACE + 2];
             }
             jump = fmax(jump, fabs(a - b));
         }

@@ -84,7 +84,8 @@ static int dimension(int D, int steps)
 
 int main(void)
 {
-    kw_out *f = kw_out_data("ex_tensor_growth"), *report = kw_claim_new("ex_tensor_growth");
+    kw_out *f = kw_out_data("ex_tensor_growth"),
+           *report = kw_claim_new("ex_tensor_growth");
     int increments_off = 0, factors_off = 0;
 
     try_increments(&increments_off, &factors_off);

@@ -20,13 +20,13 @@
 
 enum {
     D1 = 3,
-    D2 = 2,         /* the degrees */
-    KNOTS1 = 5,     /* interior knots in either direction, as drawn */
+    D2 = 2,     /* the degrees */
+    KNOTS1 = 5, /* interior knots in either direction, as drawn */
     KNOTS2 = 5,
-    CAPTION2 = 4,   /* and in the second as the caption has it */
-    CURVE = 120,    /* points of a curve */
-    SURFACE = 36,   /* cells of a surface in either direction: six a knot span */
-    BUMP = 12       /* the same for one function, on its support */
+    CAPTION2 = 4, /* and in the second as the caption has it */
+    CURVE = 120,  /* points of a curve */
+    SURFACE = 36, /* cells of a surface in either direction: six a knot span */
+    BUMP = 12     /* the same for one function, on its support */
 };
 
 static kw_tensor *new_product(int interior1, int interior2)

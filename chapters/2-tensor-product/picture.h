@@ -34,7 +34,8 @@ static inline void write_knot_lines(kw_out *f, const char *name, const kw_tensor
 
 /* A whole basis as one surface: at each point of a grid of cells x cells the largest of its
    functions. */
-static inline void write_largest(kw_out *f, const char *name, const kw_tensor *g, int cells)
+static inline void write_largest(kw_out *f, const char *name, const kw_tensor *g,
+                                 int cells)
 {
     int count = kw_tensor_local(g);
     double *local = kw_need_memory((size_t)count, sizeof *local);
