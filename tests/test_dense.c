@@ -231,7 +231,7 @@ static void solve_finds_a_known_solution(void)
 {
     enum { RHS = 3 };
     kw_rng random = kw_rng_at(53, 0, 0, 0);
-    double A[MOST * MOST] = {0}, X[MOST * RHS] = {0}, B[MOST * RHS];
+    double A[MOST * MOST] = {0}, X[MOST * RHS] = {0}, B[MOST * RHS] = {0};
 
     for (int round = 0; round < 500; round++) {
         int n = 1 + kw_rng_below(&random, MOST), rhs = 1 + kw_rng_below(&random, RHS);
@@ -311,7 +311,7 @@ static double householder(int m, int n)
 static void the_residual_is_orthogonal(void)
 {
     kw_rng random = kw_rng_at(56, 0, 0, 0);
-    double A[MOST * MOST], kept[MOST * MOST], B[MOST], b[MOST], r[MOST];
+    double A[MOST * MOST] = {0}, kept[MOST * MOST], B[MOST] = {0}, b[MOST], r[MOST] = {0};
 
     for (int round = 0; round < 500; round++) {
         int n = 1 + kw_rng_below(&random, MOST),
@@ -346,7 +346,7 @@ static void an_exact_fit_is_found(void)
 {
     enum { RHS = 3 };
     kw_rng random = kw_rng_at(57, 0, 0, 0);
-    double A[MOST * MOST] = {0}, X[MOST * RHS] = {0}, B[MOST * RHS];
+    double A[MOST * MOST] = {0}, X[MOST * RHS] = {0}, B[MOST * RHS] = {0};
 
     for (int round = 0; round < 500; round++) {
         int n = 1 + kw_rng_below(&random, MOST),

@@ -282,7 +282,7 @@ static void a_grid_is_its_points(const kw_tensor *g, kw_rng *r)
 {
     double *c = random_coefficients(r, g), grid[3 * 4 * 5 * N + GUARD], x[D3][5] = {{0}};
     const double *lines[D3] = {x[0], x[1], x[2]};
-    const int counts[D3] = {4, 3, 5};
+    const int counts[D3] = {4, g->D > 1 ? 3 : 1, g->D > 2 ? 5 : 1};
     int orders[D3] = {0}, total = 1, work = (int)kw_tensor_grid_work(g, N, counts);
     double *space = malloc(((size_t)work + GUARD) * sizeof *space);
 
@@ -301,7 +301,7 @@ static void a_grid_is_its_points(const kw_tensor *g, kw_rng *r)
     for (int i = 0; i < total; i++) {
         double at[D3], point[N];
 
-        for (int h = g->D - 1, rest = i; h >= 0; rest /= counts[h--])
+        for (int h = D3 - 1, rest = i; h >= 0; rest /= counts[h--])
             at[h] = x[h][rest % counts[h]];
         kw_tensor_point_many(g, N, c, orders, 1, at, point);
         for (int a = 0; a < N; a++)

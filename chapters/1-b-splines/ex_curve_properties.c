@@ -218,7 +218,7 @@ int main(void)
     kw_out *f = kw_out_data("ex_curve_properties");
     kw_out *report = kw_claim_new("ex_curve_properties");
     findings all = {.affine = 0, .hull = -1};
-    double c[MOST_N * PLANE];
+    double c[MOST_N * PLANE] = {0};
 
     for (uint64_t i = 0; i < CASES; i++) {
         partition p = random_partition(6, i);

@@ -28,7 +28,7 @@ typedef struct spline {
 
 static spline new_spline(kw_bspline *s)
 {
-    spline f = {s, kw_need_memory((size_t)(s->n * PLANE), sizeof(double))};
+    spline f = {s, kw_need_memory((size_t)s->n * PLANE, sizeof(double))};
 
     return f;
 }

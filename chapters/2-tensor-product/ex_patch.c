@@ -123,8 +123,9 @@ static double corner_distance(const kw_tensor *g)
     double most = 0;
 
     for (int corner = 0; corner < 4; corner++) {
-        const double x[2] = {corner / 2, corner % 2};
-        const int j[2] = {corner / 2 * (N1 - 1), corner % 2 * (N2 - 1)};
+        const int end[2] = {corner / 2, corner % 2};
+        const double x[2] = {end[0], end[1]};
+        const int j[2] = {end[0] * (N1 - 1), end[1] * (N2 - 1)};
         double p[SPACE];
 
         kw_tensor_point(g, SPACE, points, NULL, x, p);

@@ -132,7 +132,7 @@ static void collocation(const kw_tensor *g, double *A)
 static void report_independence(kw_out *report, const kw_tensor *g)
 {
     int n = kw_tensor_dimension(g);
-    size_t size = (size_t)(n * n);
+    size_t size = (size_t)n * (size_t)n;
     double *A = kw_need_memory(size, sizeof *A), *inverse, gap, norm = 0;
 
     collocation(g, A);
