@@ -312,6 +312,19 @@ void kw_bspline_blossom(const kw_bspline *s, int i, const double *u, double *val
         raise_degree(s->t, i, p, u[p - 1], value);
 }
 
+void kw_bspline_blossom_knots(const kw_bspline *s, int i, const double *u, double *value)
+{
+    double outwards[KW_BSPLINE_DEGREE];
+    int left = 0; /* arguments up to the span */
+
+    need_span(s, i);
+    while (left < s->d && u[left] <= s->t[i])
+        left++;
+    for (int q = 0; q < s->d; q++)
+        outwards[q] = u[q < left ? left - 1 - q : q];
+    kw_bspline_blossom(s, i, outwards, value);
+}
+
 /* --- one function anywhere --- */
 
 /* a / b where b > 0, and 0 where b = 0: the convention of the recursion for a function of

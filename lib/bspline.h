@@ -101,6 +101,12 @@ void kw_bspline_pieces(const kw_bspline *s, int i, double *piece);
    to x they are the local functions at x. [Ramshaw] */
 void kw_bspline_blossom(const kw_bspline *s, int i, const double *u, double *value);
 
+/* The same for increasing arguments u, which may lie far from the span, as the knots of a finer
+   space do. The order of the arguments does not matter but for rounding: here they are taken
+   from the span outwards, and then no term is negative if every knot of s between the span
+   and an argument is an argument too. */
+void kw_bspline_blossom_knots(const kw_bspline *s, int i, const double *u, double *value);
+
 /* --- one function anywhere --- */
 
 /* The r-th derivative of beta_j at any finite x, inside the domain or outside; zero

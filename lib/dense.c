@@ -99,9 +99,10 @@ static void back_substitute(int n, int rhs, const double *A, double *B)
 
 int kw_dense_solve(int n, int rhs, double *A, double *B)
 {
-    double zero = tolerance(n) * largest(n * n, A);
+    double zero;
 
     KW_NEED(n >= 1 && rhs >= 1, "n = %d, rhs = %d", n, rhs);
+    zero = tolerance(n) * largest(n * n, A);
     for (int p = 0; p < n; p++) {
         int row = p;
 
@@ -138,9 +139,10 @@ static void reflect(int m, int nA, const double *A, int p, double square, int n,
 
 int kw_dense_least_squares(int m, int n, int rhs, double *A, double *B)
 {
-    double zero = tolerance(m) * largest(m * n, A);
+    double zero;
 
     KW_NEED(m >= n && n >= 1 && rhs >= 1, "m = %d, n = %d, rhs = %d", m, n, rhs);
+    zero = tolerance(m) * largest(m * n, A);
     for (int p = 0; p < n; p++) {
         double norm = 0, square, diagonal;
 

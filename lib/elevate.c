@@ -38,7 +38,7 @@ static void mean_blossom(const kw_bspline *s, int span, const double *inner,
     for (int without = 0; without <= d; without++) {
         for (int q = 0; q < d; q++)
             u[q] = inner[q < without ? q : q + 1];
-        kw_bspline_blossom(s, span, u, value);
+        kw_bspline_blossom_knots(s, span, u, value);
         for (int j = 0; j <= d; j++)
             weight[j] += value[j] / (d + 1);
     }

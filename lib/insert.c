@@ -83,15 +83,14 @@ void kw_insert_need_nested(const kw_bspline *coarse, const kw_bspline *fine)
     }
 }
 
-/* A fine coefficient is the blossom of the coarse piece at the d inner knots of the fine
+/* A fine coefficient is the blossom of a coarse piece at the d inner knots of the fine
    function; the row of the matrix are the weights of that blossom. */
 int kw_insert_oslo_row(const kw_bspline *coarse, const kw_bspline *fine, int i,
                        double *alpha)
 {
-    KW_NEED(0 <= i && i < fine->n, "function %d, not in 0 .. %d", i, fine->n - 1);
     int span = kw_bspline_span(coarse, fine->t[kw_bspline_first_span(fine, i)]);
 
-    kw_bspline_blossom(coarse, span, fine->t + i + 1, alpha);
+    kw_bspline_blossom_knots(coarse, span, fine->t + i + 1, alpha);
     return span - coarse->d;
 }
 

@@ -28,9 +28,8 @@ void kw_insert_boehm(const kw_bspline *s, double x, int N, const double *c, doub
 
 /* Row i of the Oslo matrix: the fine coefficient i is the sum of
    alpha[0..d] times the coarse coefficients from `first` on; returns first. The alpha add up
-   to one; on open knots none is negative. Where the knots are not open, rows near an end
-   are extrapolated from the nearest span of the domain, and lose as many digits as the
-   auxiliary spans are longer than that span, to the power d. */
+   to one, and none is negative on open knots, and wherever the fine auxiliary knots contain
+   the coarse ones. */
 int kw_insert_oslo_row(const kw_bspline *coarse, const kw_bspline *fine, int i,
                        double *alpha);
 

@@ -14,6 +14,7 @@
 #include "test.h"
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 enum {
     SPACES = 300, /* random spaces a property is held over */
@@ -82,6 +83,11 @@ static inline int written(const double *a, int count)
         if (isnan(a[i]) != (i >= count))
             return 0;
     return 1;
+}
+
+static inline int same_bits(const double *a, const double *b, int count)
+{
+    return memcmp(a, b, (size_t)count * sizeof *a) == 0;
 }
 
 /* A random span. */

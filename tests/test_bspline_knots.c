@@ -230,11 +230,6 @@ static void copy_alone(const kw_bspline *s, kw_rng *r)
 
 enum { POINTS = 7, UNTOUCHED = -77 };
 
-static int same_bits(const double *a, const double *b, int count)
-{
-    return memcmp(a, b, (size_t)count * sizeof *a) == 0;
-}
-
 static void many_points(const kw_bspline *s, kw_rng *r)
 {
     double x[POINTS], value[POINTS * ROOM], one[ROOM];

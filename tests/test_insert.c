@@ -13,7 +13,8 @@ enum {
 
 /* Roundings of a coefficient. One average of Boehm's: w and 1 - w have three each, their
    own products, the sum and the rounding of 1 - w make eight, on a convex combination. A
-   row of the Oslo matrix: 5d in each weight (spline.h), then a product and d sums. */
+   row of the Oslo matrix: 5d in each weight (spline.h), then a product and d sums. No term is
+   negative where, as here, the fine auxiliary knots contain the coarse ones. */
 enum { BOEHM = 8 };
 
 static int oslo(int d)
