@@ -55,18 +55,19 @@ $(FOLDERS):
 	@mkdir -p $@
 
 $(BUILD)/obj/%.o: %.c | $(FOLDERS) $(SETUP)
-	$(CC) $(CFLAGS) -MMD -c -o $@ $<
+	@echo "$(CC) $<"
+	@$(CC) $(CFLAGS) -MMD -c -o $@ $<
 -include $(wildcard $(BUILD)/obj/*.d)
 
 $(LIBRARY): $(patsubst lib/%.c,$(BUILD)/obj/%.o,$(wildcard lib/*.c))
 	@rm -f $@
-	$(AR) rcs $@ $^
+	@$(AR) rcs $@ $^
 
 $(BUILD)/bin/test_%: $(BUILD)/obj/test_%.o $(BUILD)/obj/test.o $(LIBRARY)
-	$(CC) $(CFLAGS) -o $@ $^ -lm
+	@$(CC) $(CFLAGS) -o $@ $^ -lm
 
 $(BUILD)/bin/%: $(BUILD)/obj/%.o $(LIBRARY)
-	$(CC) $(CFLAGS) -o $@ $^ -lm
+	@$(CC) $(CFLAGS) -o $@ $^ -lm
 
 # --- drivers and figures: a driver writes its data, then, last of all, its report ---
 

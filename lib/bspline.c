@@ -25,10 +25,11 @@ kw_bspline *kw_bspline_new(int d, int n, const double *t)
     for (int i = 0; i < n; i++)
         KW_NEED(t[i] < t[i + d + 1], "knot %.17g appears more than %d times (from t[%d])",
                 t[i], d + 1, i);
-    KW_NEED(
-        t[d] < t[d + 1] && t[n - 1] < t[n],
-        "the domain [t[%d], t[%d]] = [%.17g, %.17g] begins or ends with an empty span", d,
-        n, t[d], t[n]);
+    KW_NEED(isfinite(t[n + d] - t[0]), "knots from %g to %g are too far apart", t[0],
+            t[n + d]);
+    KW_NEED(t[d] < t[d + 1] && t[n - 1] < t[n],
+            "an empty span at an end of the domain [t[%d], t[%d]] = [%.17g, %.17g]", d, n,
+            t[d], t[n]);
 
     kw_bspline *s = kw_need_memory(1, sizeof *s);
     s->d = d;
@@ -161,8 +162,6 @@ int kw_bspline_span(const kw_bspline *s, double x)
 
     KW_NEED(s->t[low] <= x && x <= s->t[high],
             "x = %.17g outside the domain [%.17g, %.17g]", x, s->t[low], s->t[high]);
-    if (x == s->t[high])
-        return high - 1;
     while (high - low > 1) {
         int middle = low + (high - low) / 2;
 
@@ -188,6 +187,7 @@ int kw_bspline_multiplicity(const kw_bspline *s, double x)
 {
     int count = 0;
 
+    KW_NEED(!isnan(x), "x = %g", x);
     for (int i = 0; i <= s->n + s->d; i++)
         count += s->t[i] == x;
     return count;
@@ -195,10 +195,11 @@ int kw_bspline_multiplicity(const kw_bspline *s, double x)
 
 double kw_bspline_greville(const kw_bspline *s, int j)
 {
-    const double *t = s->t + j;
+    const double *t;
     double sum = 0;
 
     need_function(s, j);
+    t = s->t + j;
     if (s->d == 0)
         return t[0] + (t[1] - t[0]) / 2;
     for (int i = 1; i <= s->d; i++)
@@ -217,25 +218,27 @@ static void raise_degree(const double *t, int i, int p, double x, double *value)
     double from_left = 0;
 
     for (int r = 0; r < p; r++) {
-        double left = t[i + 1 + r - p], right = t[i + 1 + r];
-        double share = value[r] / (right - left);
+        double left = t[i + 1 + r - p], right = t[i + 1 + r], width = right - left;
+        double old = value[r];
 
-        value[r] = from_left + (right - x) * share;
-        from_left = (x - left) * share;
+        /* quotients first: at either end they are exactly 0 and 1 */
+        value[r] = from_left + (right - x) / width * old;
+        from_left = (x - left) / width * old;
     }
     value[p] = from_left;
 }
 
 /* The derivative in the same triangle: from the q-th derivatives of the p functions of
    degree p-1 to the (q+1)-th of the p+1 functions of degree p,
-   beta_{j,p}' = p (beta_{j,p-1} / (t_{j+p}-t_j) - beta_{j+1,p-1} / (t_{j+p+1}-t_{j+1})). */
-static void raise_derivative(const double *t, int i, int p, double *value)
+   beta_{j,p}' = p (beta_{j,p-1} / (t_{j+p}-t_j) - beta_{j+1,p-1} / (t_{j+p+1}-t_{j+1})),
+   in units of x of length h. */
+static void raise_derivative(const double *t, int i, int p, double h, double *value)
 {
     double from_left = 0;
 
     for (int r = 0; r < p; r++) {
         double left = t[i + 1 + r - p], right = t[i + 1 + r];
-        double share = p * (value[r] / (right - left));
+        double share = p * (value[r] * h / (right - left));
 
         value[r] = from_left - share;
         from_left = share;
@@ -274,7 +277,7 @@ void kw_bspline_derivatives_on(const kw_bspline *s, int i, double x, int r, doub
         for (int p = 1; p <= d - q; p++)
             raise_degree(s->t, i, p, x, value);
         for (int p = d - q + 1; p <= d; p++)
-            raise_derivative(s->t, i, p, value);
+            raise_derivative(s->t, i, p, 1, value);
     }
 }
 
@@ -289,18 +292,19 @@ int kw_bspline_derivatives(const kw_bspline *s, double x, int r, double *value)
 void kw_bspline_pieces(const kw_bspline *s, int i, double *piece)
 {
     int d = s->d;
-    double value[KW_BSPLINE_DEGREE + 1], scale = 1; /* h^q / q! */
+    double value[KW_BSPLINE_DEGREE + 1], factorial = 1, h;
 
     need_span(s, i);
+    h = s->t[i + 1] - s->t[i];
     for (int q = 0; q <= d; q++) {
         value[0] = 1;
         for (int p = 1; p <= d - q; p++)
             raise_degree(s->t, i, p, s->t[i], value);
         for (int p = d - q + 1; p <= d; p++)
-            raise_derivative(s->t, i, p, value);
+            raise_derivative(s->t, i, p, h, value); /* with respect to u */
         for (int j = 0; j <= d; j++)
-            piece[j * (d + 1) + q] = scale * value[j];
-        scale *= (s->t[i + 1] - s->t[i]) / (q + 1);
+            piece[j * (d + 1) + q] = value[j] / factorial;
+        factorial *= q + 1;
     }
 }
 
@@ -308,8 +312,10 @@ void kw_bspline_blossom(const kw_bspline *s, int i, const double *u, double *val
 {
     need_span(s, i);
     value[0] = 1;
-    for (int p = 1; p <= s->d; p++)
+    for (int p = 1; p <= s->d; p++) {
+        KW_NEED(isfinite(u[p - 1]), "u[%d] = %g", p - 1, u[p - 1]);
         raise_degree(s->t, i, p, u[p - 1], value);
+    }
 }
 
 void kw_bspline_blossom_knots(const kw_bspline *s, int i, const double *u, double *value)
@@ -348,11 +354,12 @@ static int span_of_support(const kw_bspline *s, int j, double x)
 
 double kw_bspline_one(const kw_bspline *s, int j, int r, double x)
 {
-    const double *t = s->t + j;
+    const double *t;
     double value[KW_BSPLINE_DEGREE + 1] = {0}; /* of the functions j, j+1, .. */
     int d = s->d, span;
 
     need_function(s, j);
+    t = s->t + j;
     KW_NEED(r >= 0, "derivative %d", r);
     KW_NEED(isfinite(x), "x = %g", x);
     span = span_of_support(s, j, x);
@@ -361,11 +368,13 @@ double kw_bspline_one(const kw_bspline *s, int j, int r, double x)
     value[span] = 1;
     for (int p = 1; p <= d; p++)
         for (int i = 0; i <= d - p; i++) {
-            double left = ratio(value[i], t[i + p] - t[i]);
-            double right = ratio(value[i + 1], t[i + p + 1] - t[i + 1]);
+            double width = t[i + p] - t[i], next_width = t[i + p + 1] - t[i + 1];
 
-            value[i] = p <= d - r ? (x - t[i]) * left + (t[i + p + 1] - x) * right
-                                  : p * (left - right);
+            value[i] =
+                p <= d - r
+                    ? ratio(x - t[i], width) * value[i] +
+                          ratio(t[i + p + 1] - x, next_width) * value[i + 1]
+                    : p * (ratio(value[i], width) - ratio(value[i + 1], next_width));
         }
     return value[0];
 }

@@ -1,5 +1,6 @@
 #include "curve.h"
 #include "need.h"
+#include <math.h>
 
 /* point = sum of weight[0..d] times the d+1 control points from c on */
 static void combine(int d, int N, const double *c, const double *weight, double *point)
@@ -35,15 +36,18 @@ void kw_curve_blossom(const kw_bspline *s, int i, int N, const double *c, const 
 
     KW_NEED(d <= i && i < s->n && t[i] < t[i + 1], "%d is no span", i);
     KW_NEED(N >= 1, "N = %d", N);
+    for (int p = 0; p < d; p++)
+        KW_NEED(isfinite(u[p]), "u[%d] = %g", p, u[p]);
     for (int a = 0; a < N; a++) {
         for (int j = 0; j <= d; j++)
             b[j] = from(c, first + j, N)[a];
         for (int p = 1; p <= d; p++)
             for (int j = d; j >= p; j--) {
                 double left = t[first + j], right = t[first + j + d + 1 - p];
-                double w = (u[p - 1] - left) / (right - left);
+                double width = right - left;
 
-                b[j] = (1 - w) * b[j - 1] + w * b[j];
+                b[j] = (right - u[p - 1]) / width * b[j - 1] +
+                       (u[p - 1] - left) / width * b[j];
             }
         point[a] = b[d];
     }

@@ -270,6 +270,11 @@ static void blossom_on(int i)
     kw_bspline_blossom(space, i, space->t, scratch);
 }
 
+static void knots_blossom_on(int i)
+{
+    kw_bspline_blossom_knots(space, i, space->t, scratch);
+}
+
 static const struct index {
     const char *text;
     void (*call)(int i);
@@ -293,6 +298,8 @@ static const struct index {
     {"3 is no span", blossom_on, 3},
     {"1 is no span", blossom_on, 1},
     {"5 is no span", blossom_on, 5},
+    {"3 is no span", knots_blossom_on, 3},
+    {"-1 is no span", knots_blossom_on, -1},
 };
 
 static const struct index *now_index;

@@ -221,6 +221,83 @@ static void blossom_is_dual(const kw_bspline *s, kw_rng *r)
     }
 }
 
+/* --- blossoms at increasing arguments --- */
+
+/* The increasing arguments in the order that the header promises: first those up to the
+   span, from it to the left, then the others to the right. */
+static void order_outwards(const kw_bspline *s, int i, const double *u, double *outwards)
+{
+    int count = 0;
+
+    for (int p = s->d - 1; p >= 0; p--)
+        if (u[p] <= s->t[i])
+            outwards[count++] = u[p];
+    for (int p = 0; p < s->d; p++)
+        if (u[p] > s->t[i])
+            outwards[count++] = u[p];
+}
+
+static void knots_blossom_is_the_blossom(const kw_bspline *s, kw_rng *r)
+{
+    double u[K] = {0}, outwards[K] = {0}, value[ROOM], other[ROOM], size1[K], size2[K];
+    int i = random_span(r, s), d = s->d;
+
+    u[0] = random_dyadic(r);
+    for (int p = 1; p < d; p++) /* one in four is repeated */
+        u[p] = u[p - 1] + kw_rng_below(r, 4) * 0.25;
+    order_outwards(s, i, u, outwards);
+    blossom_size(s, i, outwards, 0, size1);
+    blossom_size(s, i, u, 0, size2);
+    poison(value, d + 1);
+    kw_bspline_blossom_knots(s, i, u, value);
+    CHECK(written(value, d + 1), "d = %d", d);
+    kw_bspline_blossom(s, i, u, other);
+    for (int j = 0; j <= d; j++)
+        CHECK(fabs(value[j] - other[j]) <= bound(5 * d, size1[j] + size2[j]),
+              "d = %d, weight %d: %g, %g", d, j, value[j], other[j]);
+}
+
+/* All knots of s and one more between each two: between any arguments in a row no knot of s
+   is left out, so no weight is negative, nothing cancels, and the error of each is relative:
+   the sum of the weights is 1 to 6d roundings. */
+static void knots_blossom_cancels_nothing(const kw_bspline *s, kw_rng *r)
+{
+    double fine[24 * K] = {0}, value[ROOM];
+    int d = s->d, count = 0;
+
+    for (int i = 0; i <= s->n + d; i++) {
+        fine[count++] = s->t[i];
+        if (i < s->n + d && s->t[i] < s->t[i + 1])
+            fine[count++] = test_random_in(r, s->t[i], s->t[i + 1]);
+    }
+    for (int j = 0; j + d < count; j++) {
+        double sum = 0;
+
+        if (fine[j] < s->t[d] || fine[j] >= s->t[s->n])
+            continue;
+        kw_bspline_blossom_knots(s, kw_bspline_span(s, fine[j]), fine + j + 1, value);
+        for (int l = 0; l <= d; l++) {
+            CHECK(value[l] >= 0, "d = %d, weight %d: %g", d, l, value[l]);
+            sum += value[l];
+        }
+        CHECK(fabs(sum - 1) <= bound(6 * d, 1), "d = %d: %.17g", d, sum);
+    }
+}
+
+/* The knots of s themselves give weight 1 within rounding, and exactly 0 otherwise. */
+static void knots_blossom_is_dual(const kw_bspline *s, kw_rng *r)
+{
+    double value[ROOM];
+    int i = random_span(r, s), d = s->d;
+
+    for (int j = i - d; j <= i; j++) {
+        kw_bspline_blossom_knots(s, i, s->t + j + 1, value);
+        for (int l = 0; l <= d; l++)
+            CHECK(fabs(value[l] - (l == j - (i - d))) <= bound(5 * d, l == j - (i - d)),
+                  "d = %d, function %d, weight %d: %g", d, j, l, value[l]);
+    }
+}
+
 int main(void)
 {
     run_over_spaces("bspline: smooth of order d - multiplicity, then a known jump", 6,
@@ -234,5 +311,11 @@ int main(void)
                     blossom_on_the_diagonal);
     run_over_spaces("bspline: a blossom at d knots in a row is one coefficient", 8,
                     blossom_is_dual);
+    run_over_spaces("bspline: at increasing arguments it is the same blossom", 8,
+                    knots_blossom_is_the_blossom);
+    run_over_spaces("bspline: at the knots of a finer space nothing cancels in it",
+                    KW_BSPLINE_DEGREE, knots_blossom_cancels_nothing);
+    run_over_spaces("bspline: at its own knots it is one coefficient and no other",
+                    KW_BSPLINE_DEGREE, knots_blossom_is_dual);
     return test_end();
 }
