@@ -1,0 +1,238 @@
+#include "active.h"
+#include "need.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { D_MOST = KW_TENSOR_D };
+
+static uint64_t flat_function(const kw_mesh *m, int level, const int *j)
+{
+    uint64_t flat = 0;
+
+    for (int h = 0; h < m->D; h++)
+        flat = flat * (uint64_t)m->level[level].s[h]->n + (uint64_t)j[h];
+    return flat;
+}
+
+/* Steps a multi-index through low <= at < high, last direction first; 0 behind the end. */
+static int next_index(int D, const int *low, const int *high, int *at)
+{
+    for (int h = D - 1; h >= 0; h--) {
+        if (++at[h] < high[h])
+            return 1;
+        at[h] = low[h];
+    }
+    return 0;
+}
+
+/* The cells low <= cell < high of the support of function j. */
+static void support(const kw_mesh *m, int level, const int *j, int *low, int *high)
+{
+    const kw_mesh_level *l = &m->level[level];
+
+    for (int h = 0; h < m->D; h++) {
+        low[h] = l->edge[h][j[h]];
+        high[h] = l->edge[h][j[h] + l->s[h]->d + 1];
+    }
+}
+
+/* What function j is, from the cells of its support; KW_ACTIVE_FIRST if it is active. */
+static int look_at_support(const kw_mesh *m, int level, const int *j)
+{
+    int low[D_MOST], high[D_MOST], cell[D_MOST], covered = 1;
+
+    support(m, level, j, low, high);
+    memcpy(cell, low, sizeof cell);
+    do {
+        if (!kw_mesh_inside(m, level, cell))
+            return KW_ACTIVE_OUTSIDE;
+        covered = covered && kw_mesh_refined(m, level, cell);
+    } while (next_index(m->D, low, high, cell));
+    return covered ? KW_ACTIVE_COVERED : KW_ACTIVE_FIRST;
+}
+
+void kw_active_box(const kw_mesh *m, int level, const int *cell, int *low, int *high)
+{
+    for (int h = 0; h < m->D; h++) {
+        high[h] = m->level[level].span[h][cell[h]] + 1;
+        low[h] = high[h] - m->level[level].s[h]->d - 1;
+    }
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const uint64_t *p = a, *q = b;
+
+    return (*p > *q) - (*p < *q);
+}
+
+static void append_active(kw_active *a, uint64_t flat, size_t *room)
+{
+    if ((size_t)a->size == *room) {
+        *room = *room > 0 ? 2 * *room : 64;
+        a->flat = realloc(a->flat, *room * sizeof *a->flat);
+        KW_NEED(a->flat && *room < INT32_MAX, "memory for %zu functions", *room);
+    }
+    a->flat[a->size++] = flat;
+}
+
+/* Looks at every function that is local to a cell of Omega^level, and numbers the active ones
+   in the order of their flat indices. */
+static void number_level(kw_active *a, int level, size_t *room)
+{
+    const kw_mesh *m = a->mesh;
+    kw_map *status = a->status[level];
+    int start = a->size;
+    long long cells;
+    uint64_t *list = kw_mesh_cells(m, level, &cells);
+
+    for (long long i = 0; i < cells; i++) {
+        int cell[D_MOST], low[D_MOST], high[D_MOST], j[D_MOST];
+
+        kw_mesh_multi(m, level, list[i], cell);
+        kw_active_box(m, level, cell, low, high);
+        memcpy(j, low, sizeof j);
+        do {
+            uint64_t flat = flat_function(m, level, j);
+            int is;
+
+            if (kw_map_find(status, flat) != KW_MAP_NONE)
+                continue;
+            is = look_at_support(m, level, j);
+            kw_map_put(status, flat, is);
+            if (is == KW_ACTIVE_FIRST)
+                append_active(a, flat, room);
+        } while (next_index(m->D, low, high, j));
+    }
+    free(list);
+    a->start[level] = start;
+    if (a->size > start)
+        qsort(a->flat + start, (size_t)(a->size - start), sizeof *a->flat, ascending);
+    for (int i = start; i < a->size; i++)
+        kw_map_put(status, a->flat[i], KW_ACTIVE_FIRST + i);
+}
+
+kw_active *kw_active_new(const kw_mesh *m)
+{
+    kw_active *a = kw_need_memory(1, sizeof *a);
+    double local = 1;
+    size_t room = 0;
+
+    for (int h = 0; h < m->D; h++)
+        local *= m->level[0].s[h]->d + 1;
+    KW_NEED(local <= KW_ACTIVE_LOCAL, "%.0f functions on a cell, more than %d", local,
+            KW_ACTIVE_LOCAL);
+    a->local = (int)local;
+    a->mesh = kw_mesh_new_copy(m);
+    a->start = kw_need_memory((size_t)m->levels + 1, sizeof *a->start);
+    a->status = kw_need_memory((size_t)m->levels, sizeof *a->status);
+    for (int level = 0; level < m->levels; level++) {
+        a->status[level] = kw_map_new();
+        number_level(a, level, &room);
+    }
+    a->start[m->levels] = a->size;
+    return a;
+}
+
+void kw_active_free(kw_active *a)
+{
+    if (!a)
+        return;
+    for (int level = 0; level < a->mesh->levels; level++)
+        kw_map_free(a->status[level]);
+    kw_mesh_free(a->mesh);
+    free(a->status);
+    free(a->start);
+    free(a->flat);
+    free(a);
+}
+
+void kw_active_function(const kw_active *a, int i, int *level, int *j)
+{
+    uint64_t flat;
+
+    KW_NEED(0 <= i && i < a->size, "function %d, not in 0 .. %d", i, a->size - 1);
+    *level = 0;
+    while (i >= a->start[*level + 1])
+        ++*level;
+    flat = a->flat[i];
+    for (int h = a->mesh->D - 1; h >= 0; h--) {
+        uint64_t n = (uint64_t)a->mesh->level[*level].s[h]->n;
+
+        j[h] = (int)(flat % n);
+        flat /= n;
+    }
+}
+
+int kw_active_status(const kw_active *a, int level, const int *j)
+{
+    int is;
+
+    KW_NEED(0 <= level && level < a->mesh->levels, "level %d, not in 0 .. %d", level,
+            a->mesh->levels - 1);
+    for (int h = 0; h < a->mesh->D; h++)
+        KW_NEED(0 <= j[h] && j[h] < a->mesh->level[level].s[h]->n,
+                "index %d of direction %d on level %d, not in 0 .. %d", j[h], h, level,
+                a->mesh->level[level].s[h]->n - 1);
+    is = kw_map_find(a->status[level], flat_function(a->mesh, level, j));
+    return is == KW_MAP_NONE ? KW_ACTIVE_OUTSIDE : is;
+}
+
+int kw_active_find(const kw_active *a, int level, const int *j)
+{
+    int is = kw_active_status(a, level, j);
+
+    return is >= KW_ACTIVE_FIRST ? is - KW_ACTIVE_FIRST : -1;
+}
+
+void kw_active_of_cell(const kw_active *a, int level, const int *cell, int *is)
+{
+    int low[D_MOST], high[D_MOST], j[D_MOST], i = 0;
+
+    kw_active_box(a->mesh, level, cell, low, high);
+    memcpy(j, low, sizeof j);
+    do
+        is[i++] = kw_active_status(a, level, j);
+    while (next_index(a->mesh->D, low, high, j));
+}
+
+int kw_active_cell(const kw_active *a, int i, int *cell)
+{
+    int level, j[D_MOST], low[D_MOST], high[D_MOST];
+
+    kw_active_function(a, i, &level, j);
+    support(a->mesh, level, j, low, high);
+    memcpy(cell, low, (size_t)a->mesh->D * sizeof *cell);
+    while (kw_mesh_refined(a->mesh, level, cell))
+        next_index(a->mesh->D, low, high, cell);
+    return level;
+}
+
+long long kw_active_kraft(const kw_mesh *m)
+{
+    long long count = 0;
+
+    for (int level = 0; level < m->levels; level++) {
+        long long cells;
+        uint64_t *list = kw_mesh_cells(m, level, &cells);
+
+        for (long long i = 0; i < cells; i++) {
+            int cell[D_MOST], low[D_MOST], high[D_MOST], j[D_MOST];
+
+            kw_mesh_multi(m, level, list[i], cell);
+            kw_active_box(m, level, cell, low, high);
+            memcpy(j, low, sizeof j);
+            do {
+                int begins = 1, is; /* each function is met at its first cell */
+
+                for (int h = 0; h < m->D; h++)
+                    begins = begins && m->level[level].edge[h][j[h]] == cell[h];
+                is = begins ? look_at_support(m, level, j) : KW_ACTIVE_OUTSIDE;
+                count += is != KW_ACTIVE_OUTSIDE; /* added with Omega^level */
+                count -= is == KW_ACTIVE_COVERED; /* dropped with the next domain */
+            } while (next_index(m->D, low, high, j));
+        }
+        free(list);
+    }
+    return count;
+}
