@@ -39,7 +39,7 @@ static void support(const kw_mesh *m, int level, const int *j, int *low, int *hi
 /* What function j is, from the cells of its support; KW_ACTIVE_FIRST if it is active. */
 static int look_at_support(const kw_mesh *m, int level, const int *j)
 {
-    int low[D_MOST], high[D_MOST], cell[D_MOST], covered = 1;
+    int low[D_MOST] = {0}, high[D_MOST] = {0}, cell[D_MOST], covered = 1;
 
     support(m, level, j, low, high);
     memcpy(cell, low, sizeof cell);
@@ -87,7 +87,7 @@ static void number_level(kw_active *a, int level, size_t *room)
     uint64_t *list = kw_mesh_cells(m, level, &cells);
 
     for (long long i = 0; i < cells; i++) {
-        int cell[D_MOST], low[D_MOST], high[D_MOST], j[D_MOST];
+        int cell[D_MOST], low[D_MOST] = {0}, high[D_MOST] = {0}, j[D_MOST];
 
         kw_mesh_multi(m, level, list[i], cell);
         kw_active_box(m, level, cell, low, high);
@@ -187,7 +187,7 @@ int kw_active_find(const kw_active *a, int level, const int *j)
 
 void kw_active_of_cell(const kw_active *a, int level, const int *cell, int *is)
 {
-    int low[D_MOST], high[D_MOST], j[D_MOST], i = 0;
+    int low[D_MOST] = {0}, high[D_MOST] = {0}, j[D_MOST], i = 0;
 
     kw_active_box(a->mesh, level, cell, low, high);
     memcpy(j, low, sizeof j);
@@ -217,7 +217,7 @@ long long kw_active_kraft(const kw_mesh *m)
         uint64_t *list = kw_mesh_cells(m, level, &cells);
 
         for (long long i = 0; i < cells; i++) {
-            int cell[D_MOST], low[D_MOST], high[D_MOST], j[D_MOST];
+            int cell[D_MOST], low[D_MOST] = {0}, high[D_MOST] = {0}, j[D_MOST];
 
             kw_mesh_multi(m, level, list[i], cell);
             kw_active_box(m, level, cell, low, high);

@@ -102,6 +102,7 @@ static void add_leaf(kw_hier *b, int level, const int *cell, const table *t, siz
         l->span[h] = m->level[level].span[h][cell[h]];
     l->first = b->rows;
     l->count = t->count;
+    KW_NEED(t->count > 0, "no function on a cell of level %d", level);
     memcpy(b->index + b->rows, t->index, (size_t)t->count * sizeof *b->index);
     memcpy(b->row + b->rows * local, t->row, (size_t)t->count * local * sizeof *b->row);
     b->rows += (size_t)t->count;
@@ -140,7 +141,7 @@ static void descend(kw_hier *b, int level, const int *cell, size_t at, table *t,
     first = add_cells(b, (size_t)children);
     b->tree[at] = (int)first;
     for (int c = 0; c < children; c++) {
-        int child[D_MOST], added;
+        int child[D_MOST] = {0}, added;
 
         for (int h = 0; h < m->D; h++)
             child[h] = 2 * cell[h] + (c >> h & 1);
@@ -256,7 +257,7 @@ static void local_values(const kw_mesh *m, int level, const int *span, const int
 
         univariate(m->level[level].s[h], span[h], r ? r[h] : 0, x[h], factor);
         for (int a = size - 1; a >= 0; a--)
-            for (int i = k - 1; i >= 0; i--)
+            for (int i = k - 1; i >= 0; i--) /* NOLINTNEXTLINE: both are set */
                 value[a * k + i] = value[a] * factor[i];
         size *= k;
     }
@@ -284,7 +285,7 @@ static void next_cell(const kw_mesh *m, int level, const double *x, int *cell)
 static const kw_hier_leaf *find_leaf(const kw_hier *b, const double *x)
 {
     const kw_mesh *m = b->active->mesh;
-    int cell[D_MOST], level = 0, at;
+    int cell[D_MOST] = {0}, level = 0, at;
 
     first_cell(m, x, cell);
     at = b->tree[kw_mesh_flat(m, 0, cell)];
@@ -314,7 +315,7 @@ static void for_thb(const kw_hier *b, const int *r, const double *x, use_functio
         const double *row = b->row + (l->first + (size_t)i) * (size_t)local;
         double sum = 0;
 
-        for (int f = 0; f < local; f++)
+        for (int f = 0; f < local; f++) /* NOLINTNEXTLINE: local_values sets `local` */
             sum += row[f] * value[f];
         use(target, b->index[l->first + (size_t)i], sum);
     }
@@ -325,7 +326,7 @@ static void for_hb(const kw_hier *b, const int *r, const double *x, use_function
 {
     const kw_mesh *m = b->active->mesh;
     double value[KW_ACTIVE_LOCAL];
-    int is[KW_ACTIVE_LOCAL], cell[D_MOST], span[D_MOST], level = 0;
+    int is[KW_ACTIVE_LOCAL], cell[D_MOST] = {0}, span[D_MOST] = {0}, level = 0;
 
     first_cell(m, x, cell);
     for (;;) {
@@ -334,7 +335,7 @@ static void for_hb(const kw_hier *b, const int *r, const double *x, use_function
         local_values(m, level, span, r, x, value);
         kw_active_of_cell(b->active, level, cell, is);
         for (int f = 0; f < b->active->local; f++)
-            if (is[f] >= KW_ACTIVE_FIRST)
+            if (is[f] >= KW_ACTIVE_FIRST) /* NOLINTNEXTLINE: as above */
                 use(target, is[f] - KW_ACTIVE_FIRST, value[f]);
         if (!kw_mesh_refined(m, level, cell))
             return;

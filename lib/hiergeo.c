@@ -206,6 +206,7 @@ static box refined_box(const kw_mesh *m, const box *coarse)
         from = owned = to;
         outer *= size;
     }
+    KW_NEED(owned, "D = %d", m->D);
     fine.c = owned;
     return fine;
 }
@@ -214,7 +215,7 @@ static box refined_box(const kw_mesh *m, const box *coarse)
    returns whether one of them was not zero before. */
 static int truncate_box(const kw_hier *b, box *f)
 {
-    int high[D_MOST], j[D_MOST], truncated = 0;
+    int high[D_MOST] = {0}, j[D_MOST] = {0}, truncated = 0;
     size_t at = 0;
 
     for (int h = 0; h < b->active->mesh->D; h++) {
@@ -222,12 +223,12 @@ static int truncate_box(const kw_hier *b, box *f)
         high[h] = f->first[h] + f->count[h];
     }
     do {
-        if (kw_active_status(b->active, f->level, j) >= KW_ACTIVE_COVERED &&
-            f->c[at] != 0) {
-            f->c[at] = 0;
+        double *c = &f->c[at++];
+
+        if (kw_active_status(b->active, f->level, j) >= KW_ACTIVE_COVERED && *c != 0) {
+            *c = 0;
             truncated = 1;
         }
-        at++;
     } while (next_index(b->active->mesh->D, f->first, high, j));
     return truncated;
 }

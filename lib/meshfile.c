@@ -324,9 +324,10 @@ static char *read_file(const char *path, size_t *size)
     while ((got = fread(text + *size, 1, room - *size, f)) > 0) {
         *size += got;
         if (*size == room) {
-            room *= 2;
-            text = realloc(text, room);
-            KW_NEED(text, "memory for %zu bytes", room);
+            char *more = realloc(text, room *= 2);
+
+            KW_NEED(more, "memory for %zu bytes", room);
+            text = more;
         }
     }
     error = ferror(f) ? errno : 0;
