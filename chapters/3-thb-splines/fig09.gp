@@ -17,12 +17,12 @@ plot data index "tensor lines" using 1:2 with lines lw 0.8 lc rgb BLUE
 set origin 0.5,0.5
 set title "hierarchical mesh"
 plot data index "cells" using 1:2:3:4:5:6:(FILL[int($7)+1]) with boxxyerror fs solid noborder lc rgb variable, \
-     data index "cells" using 1:2:3:4:5:6 with boxxyerror fs empty border lc rgb BLUE lw 0.8
-set origin 0.0,0.0
+     data index "cells" using 1:2:3:4:5:6 with boxxyerror fs empty border lc rgb BLUE lw 0.8 lc rgb BLUE
+set origin 0.0,0.03
 set title "its functions, at their Greville points"
 plot data index "tensor functions" using 1:2 with points pt 7 ps 0.25 lc rgb "#404040"
-set origin 0.5,0.0
+set origin 0.5,0.03
 set title "its functions, by level"
-set key outside bottom center horizontal samplen 0.5
+set key at screen 0.98,0.018 right horizontal samplen 0.5
 plot for [l=0:2] data index "functions" using ($3 == l ? $1 : NaN):2 with points pt 7 ps 0.3 lc rgb DOT[l+1] title sprintf("level %d", l)
 unset multiplot

@@ -1,0 +1,175 @@
+/* Figure 9, other readings -- which meshes give 184 functions, which 729, which both?
+
+   What to see: each dot is a mesh of a declared family, placed by the dimensions of its
+   hierarchical space and of the smallest tensor product around it; the two lines are the
+   printed numbers, and few meshes lie on both.
+
+   Book: section 1.1, the text around Figure 9.
+   Claims: hb.fig9.odd, hb.fig9.cubic.*, hb.fig9.search.*, hb.fig9.small.*
+   Chosen here: the family. Bi-degree (2,2), N x N cells, N = 4 .. 8, three levels. Diagonal
+   bands: |i-j| <= a on level 0, |i-j| <= b on level 1. Crossed bands: s <= i+j <= t on level
+   0, |i-j| <= b on level 1. Omega^2 is what of its band lies in Omega^1. */
+
+#include "claim.h"  /* what we found, for the ledger */
+#include "hier.h"   /* the functions of a mesh */
+#include "meshes.h" /* the mesh to begin with */
+#include "out.h"    /* columns for gnuplot */
+#include <stdlib.h>
+
+enum { DEGREE = 2, LEAST = 4, MOST = 8, HIERARCHICAL = 184, TENSOR = 729, STEPS = 3 };
+
+/* The two bands: first <= i-j or i+j <= last on level 0, |i-j| <= b on level 1. */
+typedef struct bands {
+    int cells, crossed, first, last, b;
+} bands;
+
+static kw_mesh *new_mesh(bands p)
+{
+    kw_mesh *m = uniform_mesh(2, DEGREE, p.cells);
+
+    for (int i = 0; i < p.cells; i++)
+        for (int j = 0; j < p.cells; j++) {
+            int at = p.crossed ? i + j : i - j;
+
+            if (p.first <= at && at <= p.last)
+                refine_cell(m, 0, i, j);
+        }
+    for (int i = 0; m->levels > 1 && i < 2 * p.cells; i++)
+        for (int j = 0; j < 2 * p.cells; j++)
+            if (abs(i - j) <= p.b)
+                refine_cell(m, 1, i, j);
+    return m;
+}
+
+static int tensor_dimension(const kw_mesh *m)
+{
+    int n = 1;
+
+    for (int h = 0; h < m->D; h++) {
+        kw_bspline *s = kw_mesh_new_direction(m, h);
+
+        n *= s->n;
+        kw_bspline_free(s);
+    }
+    return n;
+}
+
+typedef struct findings {
+    int meshes, hierarchical, tensor, both;
+} findings;
+
+/* Counts a mesh that has all three levels, and writes its dot, if it is a new one. */
+static void look_at(kw_out *f, bands p, kw_map *dots, findings *all)
+{
+    kw_mesh *m = new_mesh(p);
+
+    if (m->levels == STEPS) {
+        int h = (int)kw_active_kraft(m), t = tensor_dimension(m);
+
+        all->meshes++;
+        all->hierarchical += h == HIERARCHICAL;
+        all->tensor += t == TENSOR;
+        all->both += h == HIERARCHICAL && t == TENSOR;
+        if (kw_map_find(dots, (uint64_t)h << 32 | (uint64_t)t) == KW_MAP_NONE) {
+            kw_map_put(dots, (uint64_t)h << 32 | (uint64_t)t, 0);
+            kw_out_number(f, h);
+            kw_out_number(f, t);
+            kw_out_row(f);
+        }
+    }
+    kw_mesh_free(m);
+}
+
+static findings search(kw_out *f)
+{
+    findings all = {0, 0, 0, 0};
+    kw_map *dots = kw_map_new();
+
+    kw_out_section(f, "meshes", "hierarchical tensor");
+    for (int n = LEAST; n <= MOST; n++)
+        for (int b = 0; b < 2 * n; b++) {
+            for (int a = 0; a < n; a++)
+                look_at(f, (bands){n, 0, -a, a, b}, dots, &all);
+            for (int first = 0; first <= 2 * n - 2; first++)
+                for (int last = first; last <= 2 * n - 2; last++)
+                    look_at(f, (bands){n, 1, first, last, b}, dots, &all);
+        }
+    kw_map_free(dots);
+    return all;
+}
+
+/* Global uniform refinement: N cells become N 2^l, the dimension (N 2^l + 2)^2. How many of
+   them are odd? */
+static int odd_dimensions(void)
+{
+    int odd = 0;
+
+    for (int n = 1; n <= 16; n++) {
+        kw_bspline *s = kw_bspline_new_open_uniform(DEGREE, n, 0, 1);
+
+        for (int step = 1; step <= STEPS; step++) {
+            const kw_bspline *both[2] = {s, s};
+            kw_tensor *coarse = kw_tensor_new(2, both), *g = coarse;
+
+            for (int i = 0; i < step; i++) {
+                kw_tensor *fine = kw_tensor_new_dyadic(g);
+
+                kw_tensor_free(g);
+                g = fine;
+            }
+            odd += kw_tensor_dimension(g) % 2;
+            kw_tensor_free(g);
+        }
+        kw_bspline_free(s);
+    }
+    return odd;
+}
+
+/* Bi-degree (3,3) on 6 x 6 cells, refined uniformly twice. */
+static void report_cubic(kw_out *report)
+{
+    static const char *const id[] = {"hb.fig9.cubic.level0", "hb.fig9.cubic.level1",
+                                     "hb.fig9.cubic.level2"};
+    kw_mesh *m = uniform_mesh(2, 3, 6);
+
+    for (int level = 0; level < STEPS; level++) {
+        const int low[2] = {0, 0};
+        const int high[2] = {m->level[level].cells[0], m->level[level].cells[1]};
+
+        kw_claim_count(report, id[level],
+                       m->level[level].s[0]->n * m->level[level].s[1]->n);
+        kw_mesh_refine(m, level, low, high);
+    }
+    kw_mesh_free(m);
+}
+
+/* The smallest witness of 184, with another tensor-product dimension: 4 x 4 cells. */
+static void report_small(kw_out *report)
+{
+    static const char *const id[] = {"hb.fig9.small.level0", "hb.fig9.small.level1",
+                                     "hb.fig9.small.level2"};
+    kw_mesh *m = new_mesh((bands){4, 0, -1, 1, 7});
+    kw_active *a = kw_active_new(m);
+
+    for (int level = 0; level < m->levels; level++)
+        kw_claim_count(report, id[level], a->start[level + 1] - a->start[level]);
+    kw_claim_count(report, "hb.fig9.small.tensor", tensor_dimension(m));
+    kw_active_free(a);
+    kw_mesh_free(m);
+}
+
+int main(void)
+{
+    kw_out *f = kw_out_data("ex_fig9_readings"),
+           *report = kw_claim_new("ex_fig9_readings");
+    findings all = search(f);
+
+    kw_claim_count(report, "hb.fig9.odd", odd_dimensions());
+    report_cubic(report);
+    report_small(report);
+    kw_claim_count(report, "hb.fig9.search.meshes", all.meshes);
+    kw_claim_count(report, "hb.fig9.search.184", all.hierarchical);
+    kw_claim_count(report, "hb.fig9.search.729", all.tensor);
+    kw_claim_count(report, "hb.fig9.search.both", all.both);
+    return kw_out_close(f) | kw_out_close(report);
+}

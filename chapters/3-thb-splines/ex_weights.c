@@ -1,0 +1,132 @@
+/* Weights -- the numbers with which HB-splines add up to one.
+
+   What to see: they exist on every mesh, there is one choice only, and none is negative; but on
+   the small meshes below some are zero, so that the scaled functions are fewer than a basis
+   needs.
+
+   Book: section 1.1, the text behind Figure 9.
+   Claims: hb.weights.*
+   Chosen here: the two small meshes; 90 random meshes in D = 1, 2, 3. */
+
+#include "claim.h"   /* what we found, for the ledger */
+#include "hiergeo.h" /* the weights */
+#include "meshes.h"  /* meshes */
+#include "need.h"    /* memory */
+#include "out.h"     /* columns for gnuplot */
+#include <math.h>
+#include <stdlib.h>
+
+enum { MESHES = 30, POINTS = 40, SAMPLES = 240 };
+
+/* A mesh on the line with Omega^1 = cells low .. high-1. */
+static kw_hier *line(int degree, int cells, int low, int high)
+{
+    kw_mesh *m = uniform_mesh(1, degree, cells);
+    kw_hier *b;
+
+    refine_interval(m, 0, low, high);
+    b = kw_hier_new(m);
+    kw_mesh_free(m);
+    return b;
+}
+
+static double *new_weights(const kw_hier *b)
+{
+    double *w = kw_need_memory((size_t)b->active->size, sizeof *w);
+
+    kw_hiergeo_weights(b, w);
+    return w;
+}
+
+/* How many weights are zero, to the last bit. */
+static int count_zeros(const kw_hier *b)
+{
+    double *w = new_weights(b);
+    int zeros = 0;
+
+    for (int i = 0; i < b->active->size; i++)
+        zeros += w[i] == 0;
+    free(w);
+    return zeros;
+}
+
+/* Least and largest weight, and how far the weighted sum is from one. */
+typedef struct findings {
+    double least, most, sum;
+} findings;
+
+static void look_at(const kw_hier *b, uint64_t sample, findings *all)
+{
+    const kw_mesh *m = b->active->mesh;
+    kw_rng r = kw_rng_at(23, 0, sample, (uint64_t)m->D);
+    double *w = new_weights(b);
+
+    for (int i = 0; i < b->active->size; i++) {
+        all->least = fmin(all->least, w[i]);
+        all->most = fmax(all->most, w[i]);
+    }
+    for (int p = 0; p < POINTS; p++) {
+        double x[KW_TENSOR_D], sum;
+
+        for (int h = 0; h < m->D; h++)
+            x[h] = kw_rng_uniform(&r);
+        kw_hier_point(b, KW_HB, 1, w, NULL, x, &sum);
+        all->sum = fmax(all->sum, fabs(sum - 1));
+    }
+    free(w);
+}
+
+/* Each function, and each function times its weight. */
+static void write_functions(kw_out *f, const char *name, const kw_hier *b)
+{
+    double *w = new_weights(b);
+
+    kw_out_section(f, name, "x value weighted level");
+    for (int i = 0; i < b->active->size; i++) {
+        int level, j[KW_TENSOR_D];
+
+        kw_active_function(b->active, i, &level, j);
+        for (int q = 0; q <= SAMPLES; q++) {
+            double x = (double)q / SAMPLES, value = kw_hier_one(b, KW_HB, i, NULL, &x);
+
+            if (value == 0)
+                continue;
+            kw_out_number(f, x);
+            kw_out_number(f, value);
+            kw_out_number(f, w[i] * value);
+            kw_out_number(f, level);
+            kw_out_row(f);
+        }
+        kw_out_gap(f);
+    }
+    free(w);
+}
+
+int main(void)
+{
+    kw_out *f = kw_out_data("ex_weights"), *report = kw_claim_new("ex_weights");
+    kw_hier *linear = line(1, 3, 1, 2), *quadratic = line(2, 8, 3, 5);
+    findings all = {1, 0, 0};
+
+    write_functions(f, "linear", linear);
+    write_functions(f, "quadratic", quadratic);
+    kw_claim_count(report, "hb.weights.linear.functions", linear->active->size);
+    kw_claim_count(report, "hb.weights.linear.zero", count_zeros(linear));
+    kw_claim_count(report, "hb.weights.quadratic.functions", quadratic->active->size);
+    kw_claim_count(report, "hb.weights.quadratic.zero", count_zeros(quadratic));
+    kw_hier_free(linear);
+    kw_hier_free(quadratic);
+    for (int D = 1; D <= KW_TENSOR_D; D++)
+        for (uint64_t i = 0; i < MESHES; i++) {
+            kw_mesh *m = random_mesh(22, i, D);
+            kw_hier *b = kw_hier_new(m);
+
+            look_at(b, i, &all);
+            kw_hier_free(b);
+            kw_mesh_free(m);
+        }
+    kw_claim_real(report, "hb.weights.sum", all.sum);
+    kw_claim_real(report, "hb.weights.least", all.least);
+    kw_claim_real(report, "hb.weights.most", all.most);
+    return kw_out_close(f) | kw_out_close(report);
+}

@@ -1,0 +1,16 @@
+# Weights -- sections: linear, quadratic (x, value, weighted, level)
+set multiplot layout 2,2
+set xrange [0:1]
+set yrange [0:1.05]
+set ytics 0.5
+array NAME[2] = ["linear", "quadratic"]
+array TITLE[2] = ["degree 1", "degree 2"]
+do for [row=1:2] {
+    if (row == 2) { set xlabel "x" }
+    set xtics 1.0 / (row == 1 ? 3 : 4) format "%.2f"
+    do for [col=1:2] {
+        set title TITLE[row].(col == 1 ? ": HB-splines" : ": times their weights")
+        plot data index NAME[row] using 1:(column(1+col)):($4 == 0 ? 0x0072b2 : 0xd55e00) with lines lw 2 lc rgb variable
+    }
+}
+unset multiplot
