@@ -10,6 +10,7 @@
 #   make valgrind    every driver and test under valgrind
 #   make lint        clang-format, cppcheck, clang-tidy, shellcheck
 #   make format      clang-format, in place
+#   make fuzz        the reader of mesh files under random input (clang's libFuzzer)
 #   make bench       what an evaluation costs, as ratios within one run
 #   make clean
 #
@@ -32,19 +33,20 @@ LESSONS := $(sort $(wildcard chapters/*/))
 DRIVERS := $(notdir $(basename $(sort $(wildcard chapters/*/*.c))))
 PLOTS   := $(notdir $(basename $(sort $(wildcard chapters/*/*.gp))))
 TESTS   := $(notdir $(basename $(sort $(wildcard tests/test_*.c))))
-SCRIPTS := $(filter-out summary,$(notdir $(basename $(sort $(wildcard tests/*.sh)))))
+SCRIPTS := $(filter-out run summary,$(notdir $(basename $(sort $(wildcard tests/*.sh)))))
 LIBRARY := $(BUILD)/lib/libknotwork.a
+GEN     := $(BUILD)/bin/gen
 REPORTS := $(DRIVERS:%=$(BUILD)/claims/%.tsv)
 LOGS    := $(TESTS:%=$(BUILD)/tests/%.log) $(SCRIPTS:%=$(BUILD)/tests/%.log) \
            $(BUILD)/tests/ledger.log
 SETUP   := $(filter setup,$(MAKECMDGOALS))
 
-vpath %.c  lib tests tests/bench $(LESSONS)
+vpath %.c  lib gen tests tests/bench tests/fuzz $(LESSONS)
 vpath %.gp $(LESSONS)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all setup setup-dev figures data check identical valgrind lint format bench clean FORCE
+.PHONY: all setup setup-dev figures data check identical valgrind lint format bench fuzz clean FORCE
 
 all: figures
 
@@ -63,7 +65,13 @@ $(LIBRARY): $(patsubst lib/%.c,$(BUILD)/obj/%.o,$(wildcard lib/*.c))
 	@rm -f $@
 	@$(AR) rcs $@ $^
 
+$(BUILD)/bin/fuzz_%: $(BUILD)/obj/fuzz_%.o $(LIBRARY)
+	@$(CC) $(CFLAGS) -fsanitize=fuzzer -o $@ $^ -lm
+
 $(BUILD)/bin/test_%: $(BUILD)/obj/test_%.o $(BUILD)/obj/test.o $(LIBRARY)
+	@$(CC) $(CFLAGS) -o $@ $^ -lm
+
+$(GEN): $(patsubst gen/%.c,$(BUILD)/obj/%.o,$(wildcard gen/*.c)) $(LIBRARY)
 	@$(CC) $(CFLAGS) -o $@ $^ -lm
 
 $(BUILD)/bin/%: $(BUILD)/obj/%.o $(LIBRARY)
@@ -76,9 +84,13 @@ $(BUILD)/claims/%.tsv: $(BUILD)/bin/%
 
 data: $(REPORTS)
 
-figures: $(PLOTS:%=figures/%.svg)
+figures: $(GEN) $(PLOTS:%=figures/%.svg)
 
-figures/%.svg: %.gp figures/style.gp $(BUILD)/claims/%.tsv figures/draw.sh | $(SETUP)
+# the data are older than the report; if somebody removed them, they are made again
+$(BUILD)/data/%.dat: $(BUILD)/claims/%.tsv
+	@if [ -f $@ ]; then touch $@; else $(BUILD)/bin/$*; fi
+
+figures/%.svg: %.gp figures/style.gp $(BUILD)/data/%.dat figures/draw.sh | $(SETUP)
 	@figures/draw.sh $< $(BUILD)/data/$*.dat $@
 
 # --- checks ---
@@ -87,14 +99,14 @@ check: $(LOGS)
 	@tests/summary.sh $(LOGS)
 
 $(BUILD)/tests/test_%.log: $(BUILD)/bin/test_% FORCE
-	@{ $< || [ $$? = 1 ] || echo "not ok - test_$* was cut off"; } >$@ 2>&1
+	@tests/run.sh $@ $<
 
 $(BUILD)/tests/ledger.log: $(BUILD)/bin/ledger $(REPORTS) FORCE
-	@{ $< chapters/claims.tsv chapters/ERRATA.md tests/items.txt $(BUILD)/claims $(DRIVERS) || \
-	   [ $$? = 1 ] || echo "not ok - the ledger was cut off"; } >$@ 2>&1
+	@tests/run.sh $@ $< chapters/claims.tsv chapters/ERRATA.md tests/items.txt \
+	    $(BUILD)/claims $(DRIVERS)
 
-$(BUILD)/tests/%.log: tests/%.sh $(BUILD)/bin/ledger $(REPORTS) FORCE
-	@{ BUILD=$(BUILD) $< || [ $$? = 1 ] || echo "not ok - $< was cut off"; } >$@ 2>&1
+$(BUILD)/tests/%.log: tests/%.sh $(BUILD)/bin/ledger $(GEN) $(REPORTS) FORCE
+	@BUILD=$(BUILD) tests/run.sh $@ $<
 
 identical:
 	@for cc in gcc clang; do for opt in -O0 -O3; do \
@@ -106,11 +118,11 @@ identical:
 valgrind:
 	@$(MAKE) --no-print-directory -s check OPT='-O1 -g' BUILD=build/valgrind
 	@for program in $(addprefix build/valgrind/bin/,$(DRIVERS) $(TESTS)); do \
-	    valgrind -q --leak-check=full --error-exitcode=9 $$program >build/valgrind/log 2>&1 || \
+	    valgrind -q --leak-check=full --child-silent-after-fork=yes --error-exitcode=9 $$program >build/valgrind/log 2>&1 || \
 	    { cat build/valgrind/log; echo "valgrind: $$program" >&2; exit 1; }; done
 	@echo "valgrind finds nothing in $(words $(DRIVERS)) drivers and $(words $(TESTS)) tests"
 
-SOURCES := $(sort $(wildcard lib/*.[ch] tests/*.[ch] tests/bench/*.c chapters/*/*.c))
+SOURCES := $(sort $(wildcard lib/*.[ch] gen/*.[ch] tests/*.[ch] tests/*/*.c chapters/*/*.c))
 
 lint:
 	clang-format --dry-run --Werror $(SOURCES)
@@ -126,6 +138,15 @@ format:
 
 bench: $(patsubst tests/bench/%.c,$(BUILD)/bin/%,$(wildcard tests/bench/*.c))
 	@for program in $^; do $$program || exit 1; done
+
+# A fixed seed and a fixed count of inputs; what is found is left in build/fuzz.
+fuzz:
+	@rm -rf build/fuzz/corpus && mkdir -p build/fuzz/corpus
+	@$(MAKE) --no-print-directory -s CC=clang BUILD=build/fuzz build/fuzz/bin/fuzz_meshfile \
+	    SANITIZE='-g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all'
+	build/fuzz/bin/fuzz_meshfile -seed=1 -runs=100000 -max_total_time=20 -max_len=400 \
+	    -timeout=5 -rss_limit_mb=1024 -artifact_prefix=build/fuzz/ -print_final_stats=1 \
+	    -dict=tests/fuzz/meshfile.dict build/fuzz/corpus tests/fuzz/corpus
 
 # --- tools ---
 

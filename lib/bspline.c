@@ -1,5 +1,6 @@
 #include "bspline.h"
 #include "need.h"
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -86,7 +87,8 @@ kw_bspline *kw_bspline_new_open(int d, int L, const double *tau, const int *mu)
 static double *equal_cells(int cells, double a, double b)
 {
     KW_NEED(cells >= 1, "%d cells", cells);
-    KW_NEED(a < b, "[%g, %g]", a, b);
+    KW_NEED(cells <= INT_MAX - 2 * KW_BSPLINE_DEGREE - 1, "%d cells", cells);
+    KW_NEED(a < b && isfinite(b - a), "[%g, %g]", a, b);
     double *tau = kw_need_memory((size_t)cells + 1, sizeof *tau);
     for (int i = 0; i <= cells; i++)
         tau[i] = i == cells ? b : a + (b - a) * i / cells;
@@ -381,9 +383,15 @@ double kw_bspline_one(const kw_bspline *s, int j, int r, double x)
 
 /* --- many points --- */
 
+static void need_count(int count)
+{
+    KW_NEED(count >= 0, "%d points", count);
+}
+
 void kw_bspline_basis_many(const kw_bspline *s, int count, const double *x, int *first,
                            double *value)
 {
+    need_count(count);
     for (int i = 0; i < count; i++)
         first[i] = kw_bspline_basis(s, x[i], value + (size_t)i * (size_t)(s->d + 1));
 }
@@ -393,6 +401,7 @@ void kw_bspline_derivatives_many(const kw_bspline *s, int count, const double *x
 {
     size_t size = (size_t)(r + 1) * (size_t)(s->d + 1);
 
+    need_count(count);
     for (int i = 0; i < count; i++)
         first[i] = kw_bspline_derivatives(s, x[i], r, value + (size_t)i * size);
 }
@@ -400,6 +409,7 @@ void kw_bspline_derivatives_many(const kw_bspline *s, int count, const double *x
 void kw_bspline_one_many(const kw_bspline *s, int j, int r, int count, const double *x,
                          double *value)
 {
+    need_count(count);
     for (int i = 0; i < count; i++)
         value[i] = kw_bspline_one(s, j, r, x[i]);
 }

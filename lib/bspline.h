@@ -84,7 +84,9 @@ double kw_bspline_greville(const kw_bspline *s, int j);
 int kw_bspline_basis(const kw_bspline *s, double x, double *value);
 
 /* value[q*(d+1) + i] = q-th derivative of beta_{first+i} at x, q = 0 .. r, i = 0 .. d,
-   r >= 0; returns first. Rows with q > d are zero. [de Boor, ch. X, (15)] */
+   r >= 0; returns first. Rows with q > d are zero. A derivative grows with the q-th power of
+   1 / span: on tiny spans it may overflow to infinity, and a difference of two such to NaN.
+   [de Boor, ch. X, (15)] */
 int kw_bspline_derivatives(const kw_bspline *s, double x, int r, double *value);
 
 /* The same of the polynomials that the local functions are on span i, at any finite x:
@@ -113,7 +115,8 @@ void kw_bspline_blossom_knots(const kw_bspline *s, int i, const double *u, doubl
    outside its support. r >= 0. */
 double kw_bspline_one(const kw_bspline *s, int j, int r, double x);
 
-/* --- many points: x[0..count-1], results one after the other, nothing allocated --- */
+/* --- many points: x[0..count-1], count >= 0, results one after the other, nothing
+   allocated --- */
 
 /* first: count; value: count x (d+1). */
 void kw_bspline_basis_many(const kw_bspline *s, int count, const double *x, int *first,

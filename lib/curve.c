@@ -86,9 +86,15 @@ void kw_curve_close(const kw_bspline *s, int N, double *c)
         c[i] = c[i - period];
 }
 
+static void need_count(int count)
+{
+    KW_NEED(count >= 0, "%d points", count);
+}
+
 void kw_curve_point_many(const kw_bspline *s, int N, const double *c, int count,
                          const double *x, double *point)
 {
+    need_count(count);
     for (int i = 0; i < count; i++)
         kw_curve_point(s, N, c, x[i], point + (size_t)i * (size_t)N);
 }
@@ -96,6 +102,7 @@ void kw_curve_point_many(const kw_bspline *s, int N, const double *c, int count,
 void kw_curve_deboor_many(const kw_bspline *s, int N, const double *c, int count,
                           const double *x, double *point)
 {
+    need_count(count);
     for (int i = 0; i < count; i++)
         kw_curve_deboor(s, N, c, x[i], point + (size_t)i * (size_t)N);
 }
@@ -105,6 +112,7 @@ void kw_curve_derivatives_many(const kw_bspline *s, int N, const double *c, int 
 {
     size_t size = (size_t)(r + 1) * (size_t)N;
 
+    need_count(count);
     for (int i = 0; i < count; i++)
         kw_curve_derivatives(s, N, c, x[i], r, value + (size_t)i * size);
 }

@@ -29,7 +29,7 @@ void kw_curve_derivatives(const kw_bspline *s, int N, const double *c, double x,
 /* Closes a curve in a periodic space: c_{n-d+j} = c_j for j = 0 .. d-1, in place. */
 void kw_curve_close(const kw_bspline *s, int N, double *c);
 
-/* --- many points: x[0..count-1], results one after the other --- */
+/* --- many points: x[0..count-1], count >= 0, results one after the other --- */
 
 /* point: count x N. */
 void kw_curve_point_many(const kw_bspline *s, int N, const double *c, int count,

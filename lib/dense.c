@@ -71,10 +71,8 @@ int kw_dense_rank(int m, int n, double *A, double *gap)
                     column = j;
                 }
         pivot = fabs(A[row * n + column]);
-        if (pivot <= zero) {
-            zero = fmax(zero, pivot);
+        if (pivot <= zero)
             break;
-        }
         least = fmin(least, pivot);
         swap_rows(n, A, r, row);
         swap_columns(m, n, A, r, column);
@@ -88,7 +86,6 @@ int kw_dense_rank(int m, int n, double *A, double *gap)
 /* the upper triangle of A (n columns), B: n x rhs */
 static void back_substitute(int n, int rhs, const double *A, double *B)
 {
-
     for (int p = n - 1; p >= 0; p--) {
         for (int i = p + 1; i < n; i++)
             subtract(rhs, 0, A[p * n + i], B + i * rhs, B + p * rhs);
@@ -144,16 +141,18 @@ int kw_dense_least_squares(int m, int n, int rhs, double *A, double *B)
     KW_NEED(m >= n && n >= 1 && rhs >= 1, "m = %d, n = %d, rhs = %d", m, n, rhs);
     zero = tolerance(m) * largest(m * n, A);
     for (int p = 0; p < n; p++) {
-        double norm = 0, square, diagonal;
+        double scale = 0, norm, square = 0, diagonal;
 
         for (int i = p; i < m; i++)
-            norm = fmax(norm, fabs(A[i * n + p]));
-        if (!(norm > zero))
+            scale = fmax(scale, fabs(A[i * n + p]));
+        if (!(scale > zero))
             return 1;
-        square = 0;
-        for (int i = p; i < m; i++)
-            square += A[i * n + p] / norm * (A[i * n + p] / norm);
-        norm *= sqrt(square);
+        /* the column over its largest entry, so that squares neither vanish nor overflow */
+        for (int i = p; i < m; i++) {
+            A[i * n + p] /= scale;
+            square += A[i * n + p] * A[i * n + p];
+        }
+        norm = sqrt(square);
         /* v = column -+ norm e_p, the sign that does not cancel */
         diagonal = A[p * n + p] > 0 ? -norm : norm;
         square = 2 * norm * (norm + fabs(A[p * n + p]));
@@ -162,7 +161,7 @@ int kw_dense_least_squares(int m, int n, int rhs, double *A, double *B)
             reflect(m, n, A, p, square, n, A, j);
         for (int j = 0; j < rhs; j++)
             reflect(m, n, A, p, square, rhs, B, j);
-        A[p * n + p] = diagonal;
+        A[p * n + p] = diagonal * scale;
     }
     back_substitute(n, rhs, A, B);
     return 0;

@@ -8,7 +8,7 @@
 
 /* The rank of A by elimination with full pivoting, after each row has been divided by its
    largest entry. Returns the rank; *gap is the smallest pivot that counted divided by the
-   largest number that was taken for zero (which is at least the tolerance).
+   tolerance, below which everything is taken for zero.
 
    The tolerance: elimination in floating point is exact for a matrix that differs from A
    by at most about 8 r^2 g u, r = min(m,n) steps of a few roundings u = 2^-53 on entries

@@ -12,7 +12,8 @@
    d < KW_BSPLINE_DEGREE. The caller frees. */
 kw_bspline *kw_elevate_new(const kw_bspline *s);
 
-/* From the coefficients c of s to those of kw_elevate_new(s), out. */
+/* From the coefficients c of s to those of elevated = kw_elevate_new(s), out; aborts if
+   `elevated` is another space. */
 void kw_elevate(const kw_bspline *s, const kw_bspline *elevated, int N, const double *c,
                 double *out);
 

@@ -66,13 +66,18 @@ void kw_insert_boehm(const kw_bspline *s, double x, int N, const double *c, doub
     }
 }
 
-void kw_insert_need_nested(const kw_bspline *coarse, const kw_bspline *fine)
+static void need_same_domain(const kw_bspline *coarse, const kw_bspline *fine)
 {
     KW_NEED(coarse->d == fine->d, "degrees %d and %d", coarse->d, fine->d);
     KW_NEED(coarse->t[coarse->d] == fine->t[fine->d] &&
                 coarse->t[coarse->n] == fine->t[fine->n],
             "domains [%.17g, %.17g] and [%.17g, %.17g]", coarse->t[coarse->d],
             coarse->t[coarse->n], fine->t[fine->d], fine->t[fine->n]);
+}
+
+void kw_insert_need_nested(const kw_bspline *coarse, const kw_bspline *fine)
+{
+    need_same_domain(coarse, fine);
     /* walk through the fine knots; every coarse one must be met in turn */
     for (int i = coarse->d + 1, j = fine->d + 1; i < coarse->n; i++, j++) {
         while (j < fine->n && fine->t[j] < coarse->t[i])
@@ -88,8 +93,10 @@ void kw_insert_need_nested(const kw_bspline *coarse, const kw_bspline *fine)
 int kw_insert_oslo_row(const kw_bspline *coarse, const kw_bspline *fine, int i,
                        double *alpha)
 {
-    int span = kw_bspline_span(coarse, fine->t[kw_bspline_first_span(fine, i)]);
+    int span;
 
+    need_same_domain(coarse, fine);
+    span = kw_bspline_span(coarse, fine->t[kw_bspline_first_span(fine, i)]);
     kw_bspline_blossom_knots(coarse, span, fine->t + i + 1, alpha);
     return span - coarse->d;
 }
@@ -136,6 +143,7 @@ int kw_insert_two_scale(const kw_bspline *coarse, const kw_bspline *fine, int j,
     double alpha[KW_BSPLINE_DEGREE + 1];
     int count = 0, d = coarse->d;
 
+    need_same_domain(coarse, fine);
     KW_NEED(0 <= j && j < coarse->n, "function %d, not in 0 .. %d", j, coarse->n - 1);
     *first = 0;
     for (int i = first_fine_function(fine, coarse->t[kw_bspline_first_span(coarse, j)]);

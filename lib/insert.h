@@ -2,7 +2,9 @@
 
    A finer space has the same degree and domain and, inside it, every knot of the coarse
    space at least as often. Its auxiliary knots are its own affair. Coefficients are as in
-   curve.h, n x N row-major.
+   curve.h, n x N row-major. The functions for one row or one column, which are called
+   often, check degree and domain alone; knots that are missing are the caller's affair
+   (kw_insert_need_nested).
 
    Sources: [Boehm] is Inserting new knots into B-spline curves, CAD 12 (1980); [Oslo] is
    Cohen, Lyche, Riesenfeld: Discrete B-splines and subdivision techniques, CGIP 14

@@ -6,6 +6,8 @@
    temporary, leaves an older file at that path as it was, and returns 1. So a program
    writes freely and looks once, at the end.
 
+   A caller's mistake (need.h) aborts as everywhere, and leaves at most a `.tmp`.
+
    Numbers are printed with 17 digits, which give back the same double. */
 #ifndef KW_OUT_H
 #define KW_OUT_H
@@ -27,7 +29,8 @@ kw_out *kw_out_new(const char *path);
 void kw_out_text(kw_out *f, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Completes the file and frees f. 0, or 1 after a message on stderr. */
+/* Completes the file and frees f. 0, or 1 after a message on stderr. Aborts in the middle of a
+   row; then the `.tmp` may remain. */
 int kw_out_close(kw_out *f);
 
 /* --- columns for gnuplot: build/data/<driver>.dat, in named sections --- */
@@ -48,7 +51,8 @@ void kw_out_row(kw_out *f);
 /* An empty line: ends one curve of the section, or one line of a surface. */
 void kw_out_gap(kw_out *f);
 
-/* --- whole arrays of doubles, row-major; 0, or 1 after a message on stderr --- */
+/* --- whole arrays of doubles, row-major; 0, or 1 after a message on stderr. They take any
+   double as it is, NaN and infinities too: what reads them can tell, as gnuplot cannot --- */
 
 /* CSV: the line `header`, then rows x columns numbers. */
 int kw_out_csv(const char *path, const char *header, size_t rows, size_t columns,

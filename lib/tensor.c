@@ -179,6 +179,7 @@ void kw_tensor_point(const kw_tensor *g, int N, const double *c, const int *r,
 void kw_tensor_point_many(const kw_tensor *g, int N, const double *c, const int *r,
                           int count, const double *x, double *point)
 {
+    KW_NEED(count >= 0, "%d points", count);
     for (int i = 0; i < count; i++)
         kw_tensor_point(g, N, c, r, x + (size_t)i * (size_t)g->D,
                         point + (size_t)i * (size_t)N);
@@ -237,8 +238,15 @@ static size_t work_size(const kw_tensor *g, int N, const int *sizes)
     return size;
 }
 
+static void need_counts(const kw_tensor *g, const int *count)
+{
+    for (int h = 0; h < g->D; h++)
+        KW_NEED(count[h] >= 0, "%d points in direction %d", count[h], h);
+}
+
 size_t kw_tensor_grid_work(const kw_tensor *g, int N, const int *count)
 {
+    need_counts(g, count);
     return work_size(g, N, count);
 }
 
@@ -248,6 +256,7 @@ void kw_tensor_grid(const kw_tensor *g, int N, const double *c, const int *r,
     const double *old = c;
 
     KW_NEED(N >= 1, "N = %d", N);
+    need_counts(g, count);
     for (int h = 0; h < g->D; h++) {
         shape around = shape_around(g, N, count, h);
         size_t m = (size_t)count[h];

@@ -65,14 +65,14 @@ double kw_tensor_one(const kw_tensor *g, const int *j, const int *r, const doubl
 void kw_tensor_point(const kw_tensor *g, int N, const double *c, const int *r,
                      const double *x, double *point);
 
-/* The same at many points: x is count x D, point is count x N. */
+/* The same at many points: x is count x D, count >= 0, point is count x N. */
 void kw_tensor_point_many(const kw_tensor *g, int N, const double *c, const int *r,
                           int count, const double *x, double *point);
 
 /* The same on the grid of the points (x[0][i_0], .., x[D-1][i_{D-1}]), 0 <= i_h < count[h]:
    point is count[0] x .. x count[D-1] x N. One direction after the other is summed up, so
    that a grid point costs about d+1 products and not (d+1)^D.
-   `work` has kw_tensor_grid_work numbers. */
+   `work` has kw_tensor_grid_work numbers; count[h] >= 0. */
 void kw_tensor_grid(const kw_tensor *g, int N, const double *c, const int *r,
                     const int *count, const double *const *x, double *work,
                     double *point);

@@ -1,6 +1,7 @@
 /* Bad input to the splines: each call aborts, and its message names the value. The calls
    that take the same arguments share a table; `now` points at the line under test. */
 #include "spline.h"
+#include <limits.h>
 #include <stddef.h>
 
 static kw_bspline *space; /* quadratic on 0, 1 (twice), 2, open: span 3 is empty */
@@ -107,9 +108,11 @@ static const struct cells {
     int d, cells;
     double a, b;
 } CELLS[] = {
-    {"0 cells", 2, 0, 0, 1},     {"-1 cells", 2, -1, 0, 1},  {"[2, 1]", 2, 3, 2, 1},
-    {"[3, 3]", 2, 3, 3, 3},      {"[0, nan]", 2, 3, 0, NAN}, {"degree -1,", -1, 3, 0, 1},
-    {"degree 32,", 32, 3, 0, 1},
+    {"0 cells", 2, 0, 0, 1},         {"-1 cells", 2, -1, 0, 1},
+    {"[2, 1]", 2, 3, 2, 1},          {"[3, 3]", 2, 3, 3, 3},
+    {"[0, nan]", 2, 3, 0, NAN},      {"degree -1,", -1, 3, 0, 1},
+    {"degree 32,", 32, 3, 0, 1},     {"[-1e+308, 1e+308]", 2, 3, -1e308, 1e308},
+    {"[0, inf]", 2, 3, 0, HUGE_VAL}, {"2147483647 cells", 2, INT_MAX, 0, 1},
 };
 
 static const struct cells *now_cells;
@@ -275,6 +278,25 @@ static void knots_blossom_on(int i)
     kw_bspline_blossom_knots(space, i, space->t, scratch);
 }
 
+static void basis_many(int count)
+{
+    int first;
+
+    kw_bspline_basis_many(space, count, space->t, &first, scratch);
+}
+
+static void derivatives_many(int count)
+{
+    int first;
+
+    kw_bspline_derivatives_many(space, count, space->t, 0, &first, scratch);
+}
+
+static void one_many(int count)
+{
+    kw_bspline_one_many(space, 1, 0, count, space->t, scratch);
+}
+
 static const struct index {
     const char *text;
     void (*call)(int i);
@@ -300,6 +322,9 @@ static const struct index {
     {"5 is no span", blossom_on, 5},
     {"3 is no span", knots_blossom_on, 3},
     {"-1 is no span", knots_blossom_on, -1},
+    {"-1 points", basis_many, -1},
+    {"-2 points", derivatives_many, -2},
+    {"-3 points", one_many, -3},
 };
 
 static const struct index *now_index;
@@ -328,7 +353,8 @@ int main(void)
     test_run("bspline: so are no cells and empty intervals", bad_cells);
     test_run("bspline: so is a point outside the domain", outside_the_domain);
     test_run("bspline: so is what is no number", no_number);
-    test_run("bspline: so are functions, orders and spans that are none", bad_indices);
+    test_run("bspline: so are functions, orders, spans and counts that are none",
+             bad_indices);
     kw_bspline_free(space);
     return test_end();
 }

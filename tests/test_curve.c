@@ -356,7 +356,7 @@ static void closed_curves(void)
     for (int sample = 0; sample < SPACES; sample++) {
         kw_rng r = kw_rng_at(41, 0, (uint64_t)sample, 0);
         int d = kw_rng_below(&r, 10), L = 1 + kw_rng_below(&r, 4), mu[4], period;
-        double tau[5] = {random_dyadic(&r)}, left[ROOM], right[ROOM];
+        double tau[5] = {random_dyadic(&r)}, left[ROOM], right[ROOM], given[ROOM];
         kw_bspline *s;
 
         for (int i = 1; i <= L; i++) {
@@ -368,7 +368,9 @@ static void closed_curves(void)
         poison(c, s->n * N);
         for (int i = 0; i < period * N; i++)
             c[i] = test_random_in(&r, -5, 5);
+        memcpy(given, c, sizeof(double) * (size_t)(period * N));
         kw_curve_close(s, N, c);
+        CHECK(same_bits(c, given, period * N), "d = %d: given coefficients changed", d);
         CHECK(written(c, s->n * N), "d = %d, n = %d", d, s->n);
         for (int i = period * N; i < s->n * N; i++)
             CHECK(c[i] == c[i - period * N], "d = %d, coefficient %d: %g", d, i, c[i]);
@@ -384,6 +386,22 @@ static void closed_curves(void)
         }
         kw_bspline_free(s);
     }
+}
+
+/* Far beyond the degree all derivatives are zero, and nothing else is written. */
+static void order_100(const kw_bspline *s, kw_rng *r)
+{
+    enum { ORDER = 100 };
+    double value[(ORDER + 1) * N + GUARD], lower[K * N], x = test_random_point(r, s);
+
+    random_coefficients(r, s);
+    poison(value, (ORDER + 1) * N);
+    kw_curve_derivatives(s, N, c, x, ORDER, value);
+    kw_curve_derivatives(s, N, c, x, s->d, lower);
+    CHECK(written(value, (ORDER + 1) * N), "d = %d", s->d);
+    CHECK(same_bits(value, lower, (s->d + 1) * N), "d = %d", s->d);
+    for (int i = (s->d + 1) * N; i < (ORDER + 1) * N; i++)
+        CHECK(value[i] == 0, "d = %d, order %d: %g", s->d, i / N, value[i]);
 }
 
 /* --- many points --- */
@@ -430,6 +448,7 @@ int main(void)
                     affine_invariance);
     run_over_spaces("curve: derivatives are the sums of the functions'", 6,
                     derivatives_are_sums);
+    run_over_spaces("curve: derivatives of order 100 are zero", all, order_100);
     run_over_spaces("curve: powers and their derivatives come out (Marsden)", 6, powers);
     run_over_spaces("curve: Greville coefficients give a line", 6, linear_precision);
     run_over_spaces("curve: the blossom is symmetric, and a sum of weights", 6, blossom);

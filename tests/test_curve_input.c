@@ -95,6 +95,28 @@ static void no_order(void)
     test_aborts("derivative -1", derivatives_many);
 }
 
+static void fewer_than_no_points(void)
+{
+    kw_curve_point_many(space, 2, c, -1, space->t, scratch);
+}
+
+static void fewer_than_no_averages(void)
+{
+    kw_curve_deboor_many(space, 2, c, -2, space->t, scratch);
+}
+
+static void fewer_than_no_derivatives(void)
+{
+    kw_curve_derivatives_many(space, 2, c, -3, space->t, 0, scratch);
+}
+
+static void no_count(void)
+{
+    test_aborts("-1 points", fewer_than_no_points);
+    test_aborts("-2 points", fewer_than_no_averages);
+    test_aborts("-3 points", fewer_than_no_derivatives);
+}
+
 static void no_span(void)
 {
     now = (struct arguments){.N = 2, .span = 3}; /* empty */
@@ -113,6 +135,7 @@ int main(void)
     test_run("curve: a point outside the domain aborts and is named", outside_the_domain);
     test_run("curve: so is a space of no coordinates", no_coordinates);
     test_run("curve: so is a negative order", no_order);
+    test_run("curve: so is a negative number of points", no_count);
     test_run("curve: so is a span that is none", no_span);
     kw_bspline_free(space);
     return test_end();

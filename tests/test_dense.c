@@ -296,6 +296,16 @@ static void a_singular_matrix_is_refused(void)
     CHECK(kw_dense_solve(2, 1, zero, B) == 1, "zero matrix");
 }
 
+/* Without pivoting the first step would divide by 1e-20 and lose the second row: x = (0, 1). */
+static void solve_pivots(void)
+{
+    double A[] = {1e-20, 1, 1, 1}, B[] = {1, 2};
+
+    CHECK(kw_dense_solve(2, 1, A, B) == 0, "refused");
+    /* x = (1 / (1 - e), (1 - 2e) / (1 - e)), e = 1e-20: (1, 1) but for a few roundings */
+    CHECK(fabs(B[0] - 1) <= 4 * U && fabs(B[1] - 1) <= 4 * U, "%.17g, %.17g", B[0], B[1]);
+}
+
 /* --- least squares --- */
 
 /* Householder's X is exact for A + E and b + f with |E| <= e |A|, |f| <= e |b| in the
@@ -370,6 +380,21 @@ static void an_exact_fit_is_found(void)
     }
 }
 
+/* The squares of these columns vanish or overflow; the fit is exact, X = 1. */
+static void a_fit_does_not_see_the_scale(void)
+{
+    const double scales[] = {1e-300, 1e-170, 1, 1e160, 1e300};
+
+    for (int i = 0; i < 5; i++) {
+        double s = scales[i], A[] = {s, 2 * s}, B[] = {s, 2 * s};
+
+        CHECK(kw_dense_least_squares(2, 1, 1, A, B) == 0, "scale %g", s);
+        CHECK(fabs(B[0] - 1) <= 2 * householder(2, 1) * 5, "scale %g: %.17g", s, B[0]);
+        CHECK(fabs(B[1]) <= 2 * householder(2, 1) * 5 * s, "scale %g: residual %g", s,
+              B[1]);
+    }
+}
+
 static void dependent_columns_are_refused(void)
 {
     kw_rng random = kw_rng_at(58, 0, 0, 0);
@@ -439,10 +464,12 @@ int main(void)
     test_run("dense: solve finds a known solution", solve_finds_a_known_solution);
     test_run("dense: solve leaves a small residual at any scale",
              solve_leaves_a_small_residual);
+    test_run("dense: solve pivots", solve_pivots);
     test_run("dense: a singular matrix is refused", a_singular_matrix_is_refused);
     test_run("dense: the residual of least squares is orthogonal to the columns",
              the_residual_is_orthogonal);
     test_run("dense: least squares finds an exact fit", an_exact_fit_is_found);
+    test_run("dense: least squares does not see the scale", a_fit_does_not_see_the_scale);
     test_run("dense: dependent columns are refused", dependent_columns_are_refused);
     test_run("dense: NaN, infinity and impossible shapes abort", misuse_aborts);
     return test_end();

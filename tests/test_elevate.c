@@ -178,6 +178,26 @@ static void bezier_points_follow_the_formula(void)
     }
 }
 
+/* On simple auxiliary knots far out the arguments of a blossom lie on both sides of its span.
+   Taken from the span outwards every term is positive, so a constant stays one up to the count
+   above at any degree; in increasing order terms of either sign would grow with the degree. */
+static void auxiliary_knots_cost_no_digits(void)
+{
+    enum { D = 24, CELLS = 3, N = D + CELLS };
+    kw_bspline *s = kw_bspline_new_uniform(D, CELLS, 0, CELLS);
+    kw_bspline *elevated = kw_elevate_new(s);
+    double c[N], e[MOST];
+
+    for (int i = 0; i < N; i++)
+        c[i] = 1;
+    kw_elevate(s, elevated, 1, c, e);
+    for (int i = 0; i < elevated->n; i++)
+        CHECK(fabs(e[i] - 1) <= bound(elevated_roundings(D), 1), "coefficient %d: %.17g",
+              i, e[i]);
+    kw_bspline_free(s);
+    kw_bspline_free(elevated);
+}
+
 static void a_constant_by_pieces_gets_double_knots(void)
 {
     const double t[] = {0, 1, 3}, c[] = {5, 7}, wanted[] = {0, 0, 1, 1, 3, 3};
@@ -208,10 +228,44 @@ static void elevate_by_two(void)
                kw_bspline_new_open_uniform(4, 1, 0, 1), 1, c, e);
 }
 
+static void elevate_to_more_functions(void)
+{
+    double c[3] = {0}, e[5];
+
+    kw_elevate(kw_bspline_new_open_uniform(2, 1, 0, 1),
+               kw_bspline_new_open_uniform(3, 2, 0, 1), 1, c, e);
+}
+
+static void elevate_to_other_knots(void)
+{
+    const double knots[] = {0, 0, 0, 0, 0.25, 0.5, 1, 1, 1, 1};
+    double c[4] = {0}, e[6];
+
+    kw_elevate(kw_bspline_new_open_uniform(2, 2, 0, 1), kw_bspline_new(3, 6, knots), 1, c,
+               e);
+}
+
+static void elevate_to_other_auxiliary_knots(void)
+{
+    const double knots[] = {-3, 0, 0, 0, 1, 1, 1, 1};
+    double c[3] = {0}, e[4];
+
+    kw_elevate(kw_bspline_new_open_uniform(2, 1, 0, 1), kw_bspline_new(3, 4, knots), 1, c,
+               e);
+}
+
 static void impossible_degrees_abort(void)
 {
     test_aborts("degree 32, not in 0 .. 31", elevate_the_highest_degree);
     test_aborts("degrees 2 and 4", elevate_by_two);
+}
+
+static void another_space_aborts(void)
+{
+    test_aborts("5 functions, not the 4 of kw_elevate_new", elevate_to_more_functions);
+    test_aborts("t[4] = 0.25, not the 0.5 of kw_elevate_new", elevate_to_other_knots);
+    test_aborts("t[0] = -3, not the 0 of kw_elevate_new",
+                elevate_to_other_auxiliary_knots);
 }
 
 int main(void)
@@ -231,5 +285,8 @@ int main(void)
              a_constant_by_pieces_gets_double_knots);
     test_run("elevate: degree 31 and a jump of two degrees abort",
              impossible_degrees_abort);
+    test_run("elevate: a space that is not the elevated one aborts",
+             another_space_aborts);
+    test_run("elevate: auxiliary knots cost no digits", auxiliary_knots_cost_no_digits);
     return test_end();
 }

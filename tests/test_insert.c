@@ -329,6 +329,65 @@ static void a_function_is_a_sum_of_finer_ones(const kw_bspline *s, kw_rng *r)
     kw_bspline_free(dyadic);
 }
 
+/* With auxiliary knots of its own a fine space may give a function coefficients below zero,
+   and a zero between two others: here, in exact arithmetic, -13/16, 0, 7/16 to begin with; the
+   terms of each have a sum of absolute values below 8. */
+static void two_scale_on_free_auxiliary_knots(void)
+{
+    enum { J = 2 };
+    const double coarse_t[] = {-9, -1, -1, -1, 0, 1, 3, 3, 4, 5, 6, 7, 8};
+    const double fine_t[] = {-7, -6, -2.5, 0, 0, 0.5, 1, 3, 3, 4, 5, 6, 7, 8};
+    kw_bspline *s = kw_bspline_new(4, 8, coarse_t), *fine = kw_bspline_new(4, 9, fine_t);
+    double column[MOST + GUARD];
+    int first = -1, count;
+
+    poison(column, MOST);
+    count = kw_insert_two_scale(s, fine, J, &first, column);
+    CHECK(written(column, count), "hole among %d coefficients", count);
+    CHECK(first == 0 && count > 2, "first %d, count %d", first, count);
+    CHECK(fabs(column[0] + 0.8125) <= bound(20, 8), "%.17g", column[0]);
+    CHECK(column[1] == 0, "%.17g", column[1]);
+    CHECK(fabs(column[2] - 0.4375) <= bound(20, 8), "%.17g", column[2]);
+    for (int i = 0; i < fine->n; i++)
+        CHECK((i < count ? column[i] : 0) == oslo_entry(s, fine, i, J), "row %d", i);
+    kw_bspline_free(s);
+    kw_bspline_free(fine);
+}
+
+/* --- misuse: spaces for the calls below --- */
+
+static kw_bspline *given, *other;
+static double scratch[MOST];
+
+static void oslo_row_of_other(void)
+{
+    kw_insert_oslo_row(given, other, 0, scratch);
+}
+
+static void two_scale_of_other(void)
+{
+    int first;
+
+    kw_insert_two_scale(given, other, 0, &first, scratch);
+}
+
+static void other_degree_or_domain(void)
+{
+    given = kw_bspline_new_open_uniform(2, 3, 0, 1);
+    other = kw_bspline_new_open_uniform(3, 6, 0, 1);
+    test_aborts("degrees 2 and 3", oslo_row_of_other);
+    test_aborts("degrees 2 and 3", two_scale_of_other);
+    kw_bspline_free(other);
+    other = kw_bspline_new_open_uniform(2, 6, 0, 2);
+    test_aborts("domains [0, 1] and [0, 2]", oslo_row_of_other);
+    test_aborts("domains [0, 1] and [0, 2]", two_scale_of_other);
+    kw_bspline_free(other);
+    other = kw_bspline_new_open_uniform(2, 6, -2, 1);
+    test_aborts("domains [0, 1] and [-2, 1]", two_scale_of_other);
+    kw_bspline_free(other);
+    kw_bspline_free(given);
+}
+
 static void uniform_coefficients_are_binomial(void)
 {
     const double scaled[3][6] = {{1, 2, 1}, {1, 4, 6, 4, 1}, {1, 5, 10, 10, 5, 1}};
@@ -377,5 +436,9 @@ int main(void)
                     a_function_is_a_sum_of_finer_ones);
     test_run("insert: uniform two-scale coefficients are binomial",
              uniform_coefficients_are_binomial);
+    test_run("insert: two scales on free auxiliary knots, zeros and signs",
+             two_scale_on_free_auxiliary_knots);
+    test_run("insert: rows and columns need one degree and domain",
+             other_degree_or_domain);
     return test_end();
 }

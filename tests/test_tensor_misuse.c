@@ -150,6 +150,31 @@ static void grid_outside(void)
     kw_tensor_grid(pair(), 1, NONE, NULL, count, lines, work, point);
 }
 
+static void negative_count(void)
+{
+    const double x[] = {1, 1};
+    double point[1];
+
+    kw_tensor_point_many(pair(), 1, NONE, NULL, -1, x, point);
+}
+
+static void grid_of_a_negative_count(void)
+{
+    const double x[] = {1};
+    const double *const lines[] = {x, x};
+    const int count[] = {1, -4};
+    double work[8], point[2];
+
+    kw_tensor_grid(pair(), 1, NONE, NULL, count, lines, work, point);
+}
+
+static void room_for_a_negative_count(void)
+{
+    const int count[] = {-5, 1};
+
+    kw_tensor_grid_work(pair(), 1, count);
+}
+
 static void no_coordinate(void)
 {
     const double x[] = {1, 1};
@@ -166,6 +191,9 @@ static void points_are_in_the_domain(void)
     test_aborts("x = 4 outside the domain [0, 3]", grid_outside);
     test_aborts("derivative -1", negative_order);
     test_aborts("N = 0", no_coordinate);
+    test_aborts("-1 points", negative_count);
+    test_aborts("-4 points in direction 1", grid_of_a_negative_count);
+    test_aborts("-5 points in direction 0", room_for_a_negative_count);
 }
 
 static void refine_to_a_coarser_space(void)

@@ -4,7 +4,8 @@
    overlap; the sum of all THB-splines is one everywhere.
 
    Book: section 1.1, the text behind Figure 9 and before (18).
-   Claims: hb.unity.*, hb.nonnegative, thb.unity, thb.nonnegative, thb.below
+   Claims: hb.unity.*, hb.nonnegative, thb.unity, thb.nonnegative, thb.below,
+   thb.dimensions
    Chosen here: 60 random meshes in D = 1, 2, 3; 4 x 4 cells of bi-degree (2,2), refined
    twice, in the picture. */
 
@@ -115,12 +116,13 @@ int main(void)
     findings all = {0, 2, 0, 0, 0, 0};
     kw_mesh *m = new_mesh();
     kw_hier *b = kw_hier_new(m);
+    int least_D = 0;
 
     write_sums(f, "HB", b, KW_HB);
     write_sums(f, "THB", b, KW_THB);
     kw_hier_free(b);
     kw_mesh_free(m);
-    for (int D = 1; D <= KW_TENSOR_D; D++)
+    for (int D = KW_TENSOR_D; D >= 1; D--) {
         for (uint64_t i = 0; i < MESHES; i++) {
             m = random_mesh(20, i, D);
             b = kw_hier_new(m);
@@ -128,12 +130,16 @@ int main(void)
             kw_hier_free(b);
             kw_mesh_free(m);
         }
+        if (all.thb_unity < 1e-10) /* rounding, or about 1 */
+            least_D = D;
+    }
 
     kw_claim_real(report, "hb.unity.most", all.hb_most);
     kw_claim_real(report, "hb.unity.least", all.hb_least);
     kw_claim_real(report, "hb.nonnegative", all.hb_value);
     kw_claim_real(report, "thb.unity", all.thb_unity);
     kw_claim_real(report, "thb.nonnegative", all.thb_value);
+    kw_claim_count(report, "thb.dimensions", least_D);
     kw_claim_real(report, "thb.below", all.above_mother);
     return kw_out_close(f) | kw_out_close(report);
 }

@@ -5,7 +5,7 @@
    needs.
 
    Book: section 1.1, the text behind Figure 9.
-   Claims: hb.weights.*
+   Claims: hb.weights.*, thb.eq19.level
    Chosen here: the two small meshes; 90 random meshes in D = 1, 2, 3. */
 
 #include "claim.h"   /* what we found, for the ledger */
@@ -48,6 +48,16 @@ static int count_zeros(const kw_hier *b)
         zeros += w[i] == 0;
     free(w);
     return zeros;
+}
+
+/* How many indices j belong to active functions of level 0 and of level 1. */
+static int count_shared(const kw_active *a)
+{
+    int shared = 0;
+
+    for (int j = 0; j < a->mesh->level[0].s[0]->n; j++)
+        shared += kw_active_find(a, 0, &j) >= 0 && kw_active_find(a, 1, &j) >= 0;
+    return shared;
 }
 
 /* Least and largest weight, and how far the weighted sum is from one. */
@@ -114,6 +124,7 @@ int main(void)
     kw_claim_count(report, "hb.weights.linear.zero", count_zeros(linear));
     kw_claim_count(report, "hb.weights.quadratic.functions", quadratic->active->size);
     kw_claim_count(report, "hb.weights.quadratic.zero", count_zeros(quadratic));
+    kw_claim_count(report, "thb.eq19.level", count_shared(quadratic->active));
     kw_hier_free(linear);
     kw_hier_free(quadratic);
     for (int D = 1; D <= KW_TENSOR_D; D++)
@@ -126,6 +137,8 @@ int main(void)
             kw_mesh_free(m);
         }
     kw_claim_real(report, "hb.weights.sum", all.sum);
+    kw_claim_true(report, "hb.weights.exists",
+                  all.sum < 1e-10); /* rounding, or about 1 */
     kw_claim_real(report, "hb.weights.least", all.least);
     kw_claim_real(report, "hb.weights.most", all.most);
     return kw_out_close(f) | kw_out_close(report);

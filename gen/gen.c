@@ -1,0 +1,159 @@
+/* gen.c -- the command line. */
+#include "gen.h"
+#include "active.h"
+#include "meshfile.h"
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+static const gen_command *const commands[] = {&gen_count, &gen_reference};
+
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+/* --- what the commands share --- */
+
+int gen_say(int status, const char *format, ...)
+{
+    va_list values;
+
+    fputs("gen: ", stderr);
+    va_start(values, format);
+    vfprintf(stderr, format, values);
+    va_end(values);
+    fputc('\n', stderr);
+    return status;
+}
+
+kw_mesh *gen_mesh(const char *path)
+{
+    char message[KW_MESHFILE_MESSAGE];
+    kw_mesh *m = kw_meshfile_read(path, message);
+    double local = 1;
+
+    if (!m) {
+        gen_say(GEN_BAD_INPUT, "%s", message);
+        return NULL;
+    }
+    for (int h = 0; h < m->D; h++)
+        local *= m->level[0].s[h]->d + 1;
+    if (local > KW_ACTIVE_LOCAL) {
+        gen_say(GEN_BAD_INPUT,
+                "%s: degrees this high have %.0f functions on a cell, more "
+                "than %d",
+                path, local, KW_ACTIVE_LOCAL);
+        kw_mesh_free(m);
+        return NULL;
+    }
+    return m;
+}
+
+/* --- help --- */
+
+static void print_help(void)
+{
+    printf("usage: gen COMMAND --option VALUE ...\n"
+           "\n"
+           "Prints what implementations of hierarchical splines can be checked against.\n"
+           "\n");
+    for (int i = 0; i < COMMANDS; i++)
+        printf("  gen %-10s %s\n", commands[i]->name, commands[i]->summary);
+    printf("  gen COMMAND --help     its options, and a worked call\n"
+           "  gen --help             this text\n"
+           "  gen --version          the version\n"
+           "\n"
+           "For example, with a mesh in two.mesh\n"
+           "\n"
+           "  degree 2\n"
+           "  knots 0 0 0 1 2 3 4 4 4\n"
+           "  refine 0  0  2\n"
+           "\n"
+           "gen count --mesh two.mesh prints\n"
+           "\n"
+           "  level,active_cells,functions\n"
+           "  0,2,4\n"
+           "  1,4,4\n"
+           "\n"
+           "Exit status: 0, 1 for bad input or output, 2 for a bad call.\n");
+}
+
+/* --- the command line --- */
+
+static int is_option(const gen_option *o, const char *word)
+{
+    return o->name && strcmp(o->name, word) == 0;
+}
+
+static int wants_help(int count, char *const *word)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(word[i], "--help") == 0)
+            return 1;
+    return 0;
+}
+
+/* Puts the value of each option into value[0..GEN_OPTIONS-1]. */
+static int read_options(const gen_command *c, int count, char *const *word,
+                        const char **value)
+{
+    for (int i = 0; i < count; i += 2) {
+        int o = 0;
+
+        while (o < GEN_OPTIONS && !is_option(&c->option[o], word[i]))
+            o++;
+        if (o == GEN_OPTIONS)
+            return gen_say(GEN_BAD_CALL, "%s has no option `%s'; see gen %s --help",
+                           c->name, word[i], c->name);
+        if (value[o])
+            return gen_say(GEN_BAD_CALL, "%s is given twice", word[i]);
+        if (i + 1 == count || strncmp(word[i + 1], "--", 2) == 0)
+            return gen_say(GEN_BAD_CALL, "%s has no value", word[i]);
+        value[o] = word[i + 1];
+    }
+    for (int o = 0; o < GEN_OPTIONS; o++)
+        if (c->option[o].needed && !value[o])
+            return gen_say(GEN_BAD_CALL, "%s needs %s; see gen %s --help", c->name,
+                           c->option[o].name, c->name);
+    return GEN_GOOD;
+}
+
+static int run_command(const gen_command *c, int count, char *const *word)
+{
+    const char *value[GEN_OPTIONS] = {NULL};
+    int status;
+
+    if (wants_help(count, word)) {
+        fputs(c->help, stdout);
+        return GEN_GOOD;
+    }
+    status = read_options(c, count, word, value);
+    return status == GEN_GOOD ? c->run(value) : status;
+}
+
+static int run(int count, char *const *word)
+{
+    if (count == 0)
+        return gen_say(GEN_BAD_CALL, "no command; see gen --help");
+    for (int i = 0; i < COMMANDS; i++)
+        if (strcmp(word[0], commands[i]->name) == 0)
+            return run_command(commands[i], count - 1, word + 1);
+    if (strcmp(word[0], "--help") != 0 && strcmp(word[0], "--version") != 0)
+        return gen_say(GEN_BAD_CALL, "no command `%s'; see gen --help", word[0]);
+    if (count > 1)
+        return gen_say(GEN_BAD_CALL, "`%s' behind %s", word[1], word[0]);
+    if (strcmp(word[0], "--version") == 0)
+        puts("knotwork-gen " GEN_VERSION);
+    else
+        print_help();
+    return GEN_GOOD;
+}
+
+int main(int count, char **word)
+{
+    int status = run(count > 0 ? count - 1 : 0, word + 1);
+
+    if (ferror(stdout) || fflush(stdout) != 0) /* a full disk may show only here */
+        return gen_say(GEN_BAD_INPUT, "cannot write to the standard output: %s",
+                       strerror(errno));
+    return status;
+}
