@@ -36,21 +36,6 @@ static void support(const kw_mesh *m, int level, const int *j, int *low, int *hi
     }
 }
 
-/* What function j is, from the cells of its support; KW_ACTIVE_FIRST if it is active. */
-static int look_at_support(const kw_mesh *m, int level, const int *j)
-{
-    int low[D_MOST] = {0}, high[D_MOST] = {0}, cell[D_MOST], covered = 1;
-
-    support(m, level, j, low, high);
-    memcpy(cell, low, sizeof cell);
-    do {
-        if (!kw_mesh_inside(m, level, cell))
-            return KW_ACTIVE_OUTSIDE;
-        covered = covered && kw_mesh_refined(m, level, cell);
-    } while (next_index(m->D, low, high, cell));
-    return covered ? KW_ACTIVE_COVERED : KW_ACTIVE_FIRST;
-}
-
 void kw_active_box(const kw_mesh *m, int level, const int *cell, int *low, int *high)
 {
     for (int h = 0; h < m->D; h++) {
@@ -66,6 +51,50 @@ static int ascending(const void *a, const void *b)
     return (*p > *q) - (*p < *q);
 }
 
+/* While they are counted: cells of Omega^l in a support, plus REFINED times the refined ones. A
+   support has at most KW_ACTIVE_LOCAL cells. */
+enum { REFINED = 2 * KW_ACTIVE_LOCAL };
+
+/* Lets every cell of Omega^level tell its local functions that it is there. */
+static void count_cells(kw_active *a, int level)
+{
+    const kw_mesh *m = a->mesh;
+    long long cells;
+    uint64_t *list = kw_mesh_cells(m, level, &cells);
+
+    for (long long i = 0; i < cells; i++) {
+        int cell[D_MOST], low[D_MOST] = {0}, high[D_MOST] = {0}, j[D_MOST], amount;
+
+        kw_mesh_multi(m, level, list[i], cell);
+        kw_active_box(m, level, cell, low, high);
+        memcpy(j, low, sizeof j);
+        amount = kw_mesh_refined(m, level, cell) ? 1 + REFINED : 1;
+        do
+            kw_map_add(a->status[level], flat_function(m, level, j), amount);
+        while (next_index(m->D, low, high, j));
+    }
+    free(list);
+}
+
+/* What a function is, from the counts and the number of cells in its support: it is inside
+   Omega^l if all of them are, and covered if all of them are refined. [source text, (14)] */
+static int status_from_counts(int counts, int cells)
+{
+    if (counts % REFINED < cells)
+        return KW_ACTIVE_OUTSIDE;
+    return counts / REFINED == cells ? KW_ACTIVE_COVERED : KW_ACTIVE_FIRST;
+}
+
+static void multi_function(const kw_mesh *m, int level, uint64_t flat, int *j)
+{
+    for (int h = m->D - 1; h >= 0; h--) {
+        uint64_t n = (uint64_t)m->level[level].s[h]->n;
+
+        j[h] = (int)(flat % n);
+        flat /= n;
+    }
+}
+
 static void append_active(kw_active *a, uint64_t flat, size_t *room)
 {
     if ((size_t)a->size == *room) {
@@ -76,35 +105,27 @@ static void append_active(kw_active *a, uint64_t flat, size_t *room)
     a->flat[a->size++] = flat;
 }
 
-/* Looks at every function that is local to a cell of Omega^level, and numbers the active ones
-   in the order of their flat indices. */
+/* Turns the counts of a level into what its functions are, and numbers the active ones in the
+   order of their flat indices. */
 static void number_level(kw_active *a, int level, size_t *room)
 {
     const kw_mesh *m = a->mesh;
     kw_map *status = a->status[level];
     int start = a->size;
-    long long cells;
-    uint64_t *list = kw_mesh_cells(m, level, &cells);
 
-    for (long long i = 0; i < cells; i++) {
-        int cell[D_MOST], low[D_MOST] = {0}, high[D_MOST] = {0}, j[D_MOST];
+    for (size_t i = 0; i < status->room; i++) {
+        int j[D_MOST], low[D_MOST] = {0}, high[D_MOST] = {0}, cells = 1;
 
-        kw_mesh_multi(m, level, list[i], cell);
-        kw_active_box(m, level, cell, low, high);
-        memcpy(j, low, sizeof j);
-        do {
-            uint64_t flat = flat_function(m, level, j);
-            int is;
-
-            if (kw_map_find(status, flat) != KW_MAP_NONE)
-                continue;
-            is = look_at_support(m, level, j);
-            kw_map_put(status, flat, is);
-            if (is == KW_ACTIVE_FIRST)
-                append_active(a, flat, room);
-        } while (next_index(m->D, low, high, j));
+        if (status->value[i] == KW_MAP_NONE)
+            continue;
+        multi_function(m, level, status->key[i], j);
+        support(m, level, j, low, high);
+        for (int h = 0; h < m->D; h++)
+            cells *= high[h] - low[h];
+        status->value[i] = status_from_counts(status->value[i], cells);
+        if (status->value[i] == KW_ACTIVE_FIRST)
+            append_active(a, status->key[i], room);
     }
-    free(list);
     a->start[level] = start;
     if (a->size > start)
         qsort(a->flat + start, (size_t)(a->size - start), sizeof *a->flat, ascending);
@@ -128,6 +149,7 @@ kw_active *kw_active_new(const kw_mesh *m)
     a->status = kw_need_memory((size_t)m->levels, sizeof *a->status);
     for (int level = 0; level < m->levels; level++) {
         a->status[level] = kw_map_new();
+        count_cells(a, level);
         number_level(a, level, &room);
     }
     a->start[m->levels] = a->size;
@@ -149,19 +171,11 @@ void kw_active_free(kw_active *a)
 
 void kw_active_function(const kw_active *a, int i, int *level, int *j)
 {
-    uint64_t flat;
-
     KW_NEED(0 <= i && i < a->size, "function %d, not in 0 .. %d", i, a->size - 1);
     *level = 0;
     while (i >= a->start[*level + 1])
         ++*level;
-    flat = a->flat[i];
-    for (int h = a->mesh->D - 1; h >= 0; h--) {
-        uint64_t n = (uint64_t)a->mesh->level[*level].s[h]->n;
-
-        j[h] = (int)(flat % n);
-        flat /= n;
-    }
+    multi_function(a->mesh, *level, a->flat[i], j);
 }
 
 int kw_active_status(const kw_active *a, int level, const int *j)
@@ -191,9 +205,11 @@ void kw_active_of_cell(const kw_active *a, int level, const int *cell, int *is)
 
     kw_active_box(a->mesh, level, cell, low, high);
     memcpy(j, low, sizeof j);
-    do
-        is[i++] = kw_active_status(a, level, j);
-    while (next_index(a->mesh->D, low, high, j));
+    do {
+        int found = kw_map_find(a->status[level], flat_function(a->mesh, level, j));
+
+        is[i++] = found == KW_MAP_NONE ? KW_ACTIVE_OUTSIDE : found;
+    } while (next_index(a->mesh->D, low, high, j));
 }
 
 int kw_active_cell(const kw_active *a, int i, int *cell)
@@ -206,6 +222,21 @@ int kw_active_cell(const kw_active *a, int i, int *cell)
     while (kw_mesh_refined(a->mesh, level, cell))
         next_index(a->mesh->D, low, high, cell);
     return level;
+}
+
+/* What function j is, from the cells of its support; KW_ACTIVE_FIRST if it is active. */
+static int look_at_support(const kw_mesh *m, int level, const int *j)
+{
+    int low[D_MOST] = {0}, high[D_MOST] = {0}, cell[D_MOST], covered = 1;
+
+    support(m, level, j, low, high);
+    memcpy(cell, low, sizeof cell);
+    do {
+        if (!kw_mesh_inside(m, level, cell))
+            return KW_ACTIVE_OUTSIDE;
+        covered = covered && kw_mesh_refined(m, level, cell);
+    } while (next_index(m->D, low, high, cell));
+    return covered ? KW_ACTIVE_COVERED : KW_ACTIVE_FIRST;
 }
 
 long long kw_active_kraft(const kw_mesh *m)

@@ -27,4 +27,7 @@ int kw_map_find(const kw_map *m, uint64_t key);
 /* Gives `key` the value, which is >= 0, whether or not it had one. */
 void kw_map_put(kw_map *m, uint64_t key, int value);
 
+/* Adds to the value of `key`, which counts as 0 if it had none; amount >= 0. */
+void kw_map_add(kw_map *m, uint64_t key, int amount);
+
 #endif

@@ -18,18 +18,21 @@ void kw_twoscale_between(const kw_mesh *m, int level, const int *cell, const int
     }
 }
 
-/* The k entries of a line are `inner` numbers apart; there are outer x inner lines. */
+/* The k entries of a line are `inner` numbers apart; there are outer x inner lines. Most
+   coefficients of most functions are zero, and cost nothing. */
 static void apply_direction(int k, const double *restrict a, int outer, int inner,
                             const double *restrict from, double *restrict to)
 {
+    memset(to, 0, (size_t)outer * (size_t)k * (size_t)inner * sizeof *to);
     for (int o = 0; o < outer; o++)
-        for (int f = 0; f < k; f++)
+        for (int j = 0; j < k; j++)
             for (int i = 0; i < inner; i++) {
-                double sum = 0;
+                double c = from[(o * k + j) * inner + i];
 
-                for (int j = 0; j < k; j++)
-                    sum += a[f * k + j] * from[(o * k + j) * inner + i];
-                to[(o * k + f) * inner + i] = sum;
+                if (c == 0)
+                    continue;
+                for (int f = 0; f < k; f++)
+                    to[(o * k + f) * inner + i] += a[f * k + j] * c;
             }
 }
 
