@@ -34,6 +34,9 @@ DRIVERS := $(notdir $(basename $(sort $(wildcard chapters/*/*.c))))
 PLOTS   := $(notdir $(basename $(sort $(wildcard chapters/*/*.gp))))
 TESTS   := $(notdir $(basename $(sort $(wildcard tests/test_*.c))))
 SCRIPTS := $(filter-out run summary,$(notdir $(basename $(sort $(wildcard tests/*.sh)))))
+ifneq ($(words $(DRIVERS)),$(words $(sort $(DRIVERS))))
+$(error two drivers have the same name: $(sort $(foreach d,$(DRIVERS),$(if $(filter-out 1,$(words $(filter $d,$(DRIVERS)))),$d))))
+endif
 LIBRARY := $(BUILD)/lib/libknotwork.a
 GEN     := $(BUILD)/bin/gen
 REPORTS := $(DRIVERS:%=$(BUILD)/claims/%.tsv)

@@ -131,7 +131,9 @@ int points_read(const char *path, const kw_mesh *m, size_t *count, double **x)
         return gen_say(1, "%s: %s", path, strerror(errno));
     failed = read_points(&r, m, count, x);
     fclose(r.file);
-    if (failed)
+    if (failed) {
         free(*x);
+        *x = NULL;
+    }
     return failed;
 }

@@ -9,8 +9,7 @@
 #include "mesh.h"
 
 /* Reads points of the domain of m: *x is count x D and freed by the caller. 0, or 1 after a
-   message on stderr with the file, the line and what is wrong there; then there is nothing
-   to free. */
+   message on stderr with the file, the line and what is wrong there; then *x is NULL. */
 int points_read(const char *path, const kw_mesh *m, size_t *count, double **x);
 
 #endif

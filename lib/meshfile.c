@@ -103,6 +103,8 @@ static int check_knots(reader *r, int d, int count, const double *t)
     for (int i = 1; i < count; i++)
         if (t[i] < t[i - 1])
             return complain(r, "knots decrease: %.17g after %.17g", t[i], t[i - 1]);
+    if (!isfinite(t[count - 1] - t[0]))
+        return complain(r, "knots from %g to %g are too far apart", t[0], t[count - 1]);
     for (int i = 0; i < n; i++)
         if (t[i] == t[i + d + 1])
             return complain(r, "knot %.17g appears more than %d times", t[i], d + 1);

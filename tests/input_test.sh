@@ -9,18 +9,9 @@ root=$PWD
 driver=$(cd "$build/bin" && pwd)/fig04
 place=$(mktemp -d) || exit 1
 trap 'rm -rf "$place"' EXIT
-failed=0
-
-# result STATUS NAME -- prints what came out; what was said is in $place/out
-result() {
-    if [ "$1" = 0 ]; then
-        echo "ok - $2"
-    else
-        echo "not ok - $2"
-        sed 's/^/# /' "$place/out"
-        failed=1
-    fi
-}
+said=$place/out
+# shellcheck source=tests/result.inc
+. tests/result.inc
 
 # --- a driver that cannot write ---
 # fails NAME PATH REASON -- the driver exits 1, names the path and the reason, and leaves no
@@ -62,14 +53,14 @@ check_driver() {
         echo old >"$place/run/$data"
         ln -s /dev/full "$place/run/$data.tmp"
         fails "a full disk for the data" "$data" 'No space left on device'
-        [ "$(cat "$place/run/$data")" = old ]
+        [ "$(head -c 9 "$place/run/$data")" = old ]
         result $? "input: older data are left alone"
 
         folders claims data
         echo old >"$place/run/$report"
         ln -s /dev/full "$place/run/$report.tmp"
         fails "a full disk for the report" "$report" 'No space left on device'
-        [ "$(cat "$place/run/$report")" = old ]
+        [ "$(head -c 9 "$place/run/$report")" = old ]
         result $? "input: an older report is left alone"
     else
         echo "# skipped: there is no /dev/full here"
@@ -168,4 +159,4 @@ install 100 broken "what apt-get says is passed on"
 PATH=$place/path .ci/install tr:none >"$place/out" 2>&1 && [ ! -s "$place/out" ]
 result $? "input: nothing is installed when nothing is missing"
 
-exit $failed
+exit "$failed"

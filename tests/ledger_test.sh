@@ -8,19 +8,10 @@ ledger=$(cd "${BUILD:-build}/bin" && pwd)/ledger
 tests=$(cd tests && pwd)
 place=$(mktemp -d) || exit 1
 trap 'rm -rf "$place"' EXIT
+said=$place/out
+# shellcheck source=tests/result.inc
+. tests/result.inc
 cd "$place" || exit 1
-failed=0
-
-# result STATUS NAME -- prints what came out; what was said is in `out`
-result() {
-    if [ "$1" = 0 ]; then
-        echo "ok - $2"
-    else
-        echo "not ok - $2"
-        sed 's/^/# /' out
-        failed=1
-    fi
-}
 
 # line FILE FIELD ... -- appends the fields, separated by tabs
 line() {
@@ -232,6 +223,10 @@ lay_library
 result $? "levels: includes that go down pass"
 echo '#include "high.h"' >>lib/low.h
 climb "an include that climbs" lib/low.h high.h
+echo '# include "high.h"' >>lib/low.h
+climb "an include that climbs, a blank behind the #" lib/low.h high.h
+echo '  #include"high.h"' >>lib/low.h
+climb "an include that climbs, blanks before the # and none behind" lib/low.h high.h
 echo 'int stray;' >lib/stray.c
 climb "a module without a level" lib/stray.c 'no level'
 echo '#include "alien.h"' >>lib/high.c
@@ -260,4 +255,4 @@ grep -q 'empty.log holds no result' out
 result $? "summary: the empty log is named"
 summary "a missing log fails" 1 '2 passed, 1 failed' good.log none.log
 
-exit $failed
+exit "$failed"

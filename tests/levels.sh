@@ -22,7 +22,7 @@ FILENAME == lib "/LEVELS" {
 FNR == 1 && !(module(FILENAME) in level) {
     defect(FILENAME " has no level in " lib "/LEVELS")
 }
-/^#include "/ {
+/^[ \t]*#[ \t]*include[ \t]*"/ {
     split($0, part, "\"")
     here = module(FILENAME)
     there = module(part[2])

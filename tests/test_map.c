@@ -168,6 +168,39 @@ static void it_is_an_array(void)
     kw_map_free(m);
 }
 
+/* Sums of many keys, among values that were put. */
+static void sums_are_kept(void)
+{
+    enum { KEYS = 3000 };
+    kw_map *m = kw_map_new();
+
+    for (int i = 0; i < KEYS; i += 3)
+        kw_map_put(m, (uint64_t)i << 20, 5);
+    for (int amount = 0; amount < 4; amount++)
+        for (int i = 0; i < KEYS; i++)
+            kw_map_add(m, (uint64_t)i << 20, amount * i);
+    CHECK(m->count == KEYS, "%zu", m->count);
+    for (int i = 0; i < KEYS; i++) {
+        int want = 6 * i + (i % 3 == 0 ? 5 : 0), got = kw_map_find(m, (uint64_t)i << 20);
+
+        CHECK(got == want, "%d, not %d", got, want);
+    }
+    kw_map_free(m);
+}
+
+static void add_negative(void)
+{
+    kw_map_add(kw_map_new(), 12, -1);
+}
+
+static void add_too_much(void)
+{
+    kw_map *m = kw_map_new();
+
+    kw_map_put(m, 12, INT32_MAX);
+    kw_map_add(m, 12, 1);
+}
+
 static void put_negative(void)
 {
     kw_map_put(kw_map_new(), 12, -1);
@@ -176,6 +209,8 @@ static void put_negative(void)
 static void negative_values_abort(void)
 {
     test_aborts("-1", put_negative);
+    test_aborts("0 + -1", add_negative);
+    test_aborts("2147483647 + 1", add_too_much);
 }
 
 static void nothing_may_be_freed(void)
@@ -193,7 +228,9 @@ int main(void)
              the_last_value_counts);
     test_run("map: 0, 2^63 and 2^64 - 1 are keys like others", ends_of_the_keys);
     test_run("map: random puts and finds are those of an array", it_is_an_array);
-    test_run("map: a negative value aborts", negative_values_abort);
+    test_run("map: what is added is summed up, from 0", sums_are_kept);
+    test_run("map: a negative value and a sum that no int holds abort",
+             negative_values_abort);
     test_run("map: NULL may be freed", nothing_may_be_freed);
     return test_end();
 }

@@ -300,6 +300,30 @@ static void csv_gives_back_the_same_doubles(void)
     CHECK(strcmp(next, "\n") == 0, "`%s' at the end", next);
 }
 
+/* Arrays are for readers that know NaN and infinity: they go through as they are. */
+static void arrays_take_any_double(void)
+{
+    enum { COUNT = 3, DATA = 128 };
+    const double a[COUNT] = {NAN, INFINITY, -INFINITY};
+    const size_t shape[] = {COUNT};
+    char text[TEXT], *next;
+    double back[COUNT];
+
+    CHECK(kw_out_csv(path_of("a.csv"), "x,y,z", 1, COUNT, a) == 0, "a.csv");
+    read_file("a.csv", text);
+    next = text + strcspn(text, "\n") + 1;
+    for (int i = 0; i < COUNT; i++, next++) {
+        double value = strtod(next, &next);
+
+        CHECK(isnan(a[i]) ? isnan(value) : value == a[i], "number %d: %g", i, value);
+    }
+    CHECK(kw_out_npy(path_of("a.npy"), 1, shape, a) == 0, "a.npy");
+    CHECK(read_file("a.npy", text) == DATA + sizeof a, "a.npy");
+    memcpy(back, text + DATA, sizeof back); /* on a little-endian machine */
+    CHECK(isnan(back[0]) && back[1] == a[1] && back[2] == a[2], "%g, %g, %g", back[0],
+          back[1], back[2]);
+}
+
 static void arrays_fail_as_files_do(void)
 {
     const size_t shape[] = {1};
@@ -428,6 +452,7 @@ int main(void)
              npy_data_begin_at_a_multiple_of_64);
     test_run("out: NPY needs 1 to 4 dimensions", npy_needs_1_to_4_dimensions);
     test_run("out: CSV gives back the same doubles", csv_gives_back_the_same_doubles);
+    test_run("out: arrays take any double", arrays_take_any_double);
     test_run("out: arrays fail as files do", arrays_fail_as_files_do);
     test_run("out: sections, rows and gaps have gnuplot's format",
              columns_have_their_format);

@@ -1,4 +1,6 @@
 # Curve properties -- sections: triangles, curve (x, y, span), polygon (x, y)
+set terminal svg size 720,270 font "DejaVu Sans,11" background rgb "white"
+set output image
 set multiplot layout 1,2
 set size ratio -1
 set xrange [-0.3:6.9]
@@ -7,9 +9,8 @@ set xlabel "s_1"
 set ylabel "s_2"
 set xtics 2
 set ytics 1
-array HULL[5] = [0, 2, 4, 1, 3]
 array TINT[5] = ["#bfdcee", "#f6d5bd", "#bde6da", "#f1dbe8", "#f8e6bd"]
-array SPANS[2] = [1, 3]
+array SPANS[2] = [1, 2]
 do for [p=1:2] {
     a = SPANS[p]
     set title sprintf("hull of c_%d … c_%d", a, a + 3)

@@ -18,7 +18,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { CASES = 100, SAMPLES = 60, PLANE = 2, ROUNDS = 4 };
+enum { CASES = 100, SAMPLES = 60, PLANE = 2, ROUNDS = 8 };
 
 /* A spline: a space and its control points in the plane, both owned. */
 typedef struct spline {

@@ -7,8 +7,8 @@ set xrange [-0.6:4.6]
 set yrange [0:1.15]
 set ytics 0.5
 set xtics 1
-array NAME[4] = ["every j", "j = n + k − 1", "j = n", "left limit (ours)"]
-array HUE[4] = [RED, BLUE, RED, BLUE]
+array NAME[4] = ["every j", "j = n", "j = n + k − 1", "left limit (ours)"]
+array HUE[4] = [RED, RED, BLUE, BLUE]
 do for [i=0:3] {
     set title NAME[i+1]
     if (i == 0) { set ylabel "β_{j,3}(b)" } else { unset ylabel }

@@ -8,6 +8,9 @@ do for [row=1:2] {
     if (row == 1) { set yrange [0:1.05]; set ytics 0.5; set format x "" }
     else { set yrange [-2.2:2.2]; set ytics 2; set format x; set xlabel "x" }
     do for [m=1:3] {
+        # the same sides in both rows, so that a joint can be followed down
+        set lmargin at screen 0.10 + (m - 1)*0.31
+        set rmargin at screen 0.33 + (m - 1)*0.31
         if (row == 1) { set title TITLE[m] } else { unset title }
         if (m == 1) { set ylabel (row == 1 ? "β_{j,3}(x)" : "β_{j,3}'(x)") } else { unset ylabel }
         plot data index NAME[m] using 1:1+row:(hue($4)) with lines lw 2 lc rgb variable

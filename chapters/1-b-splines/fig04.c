@@ -9,12 +9,11 @@
    Claims: bs.fig4.*
    Chosen here: the uniform knots 0 .. 4 of (a); the four interior knots of (b). */
 
-#include "bspline.h" /* the functions and their polynomial pieces */
-#include "claim.h"   /* what we found, for the ledger */
-#include "need.h"    /* memory */
-#include "out.h"     /* columns for gnuplot */
+#include "../univariate.h" /* how a basis is written */
+#include "bspline.h"       /* the functions and their polynomial pieces */
+#include "claim.h"         /* what we found, for the ledger */
+#include "out.h"           /* columns for gnuplot */
 #include <math.h>
-#include <stdlib.h>
 
 enum {
     D = 3,          /* degree of (a) */
@@ -70,25 +69,11 @@ static void write_pieces(kw_out *f, double piece[PIECES][D + 1])
     }
 }
 
-/* Writes the basis of degree d and returns its largest deviation from one in sum. */
-static double write_basis(kw_out *f, const char *name, const kw_bspline *s)
+/* The largest deviation of the sum of all functions from one. */
+static double unity_error(const kw_bspline *s)
 {
     double worst = 0;
 
-    kw_out_section(f, name, "x value function");
-    for (int j = 0; j < s->n; j++) {
-        for (int i = 0; i <= CELLS * SAMPLES; i++) {
-            double x = (double)i / (CELLS * SAMPLES);
-
-            if (x < s->t[j] || x > s->t[j + s->d + 1])
-                continue; /* outside the support */
-            kw_out_number(f, x);
-            kw_out_number(f, kw_bspline_one(s, j, 0, x));
-            kw_out_number(f, j);
-            kw_out_row(f);
-        }
-        kw_out_gap(f);
-    }
     for (int i = 0; i <= CELLS * SAMPLES; i++) {
         double sum = 0;
 
@@ -99,15 +84,12 @@ static double write_basis(kw_out *f, const char *name, const kw_bspline *s)
     return worst;
 }
 
-int main(void)
+/* What the pieces are and how they meet. */
+static void report_pieces(kw_out *report, double piece[PIECES][D + 1])
 {
-    kw_out *f = kw_out_data("fig04"), *report = kw_claim_new("fig04");
-    kw_bspline *hats = kw_bspline_new_open_uniform(1, CELLS, 0, 1);
-    kw_bspline *bumps = kw_bspline_new_open_uniform(2, CELLS, 0, 1);
-    double piece[PIECES][D + 1], jump = 0, kink = 1;
+    double jump = 0, kink = INFINITY;
     int different = 1;
 
-    pieces_of_function(piece);
     for (int i = 1; i < PIECES; i++) { /* the joint before piece i */
         double third = polynomial(piece[i], D, 0) - polynomial(piece[i - 1], D, 1);
 
@@ -117,13 +99,30 @@ int main(void)
         kink = fmin(kink, fabs(third));
         different += third != 0;
     }
-    write_pieces(f, piece);
-    kw_claim_real(report, "bs.fig4.unity.hats", write_basis(f, "hats", hats));
-    kw_claim_real(report, "bs.fig4.unity.bumps", write_basis(f, "bumps", bumps));
-
     kw_claim_count(report, "bs.fig4.pieces", different);
+    kw_claim_real(report, "bs.fig4.piece.1", polynomial(piece[0], 0, 0.5));
+    kw_claim_real(report, "bs.fig4.piece.2", polynomial(piece[1], 0, 0.5));
+    kw_claim_real(report, "bs.fig4.piece.3", polynomial(piece[2], 0, 0.5));
+    kw_claim_real(report, "bs.fig4.piece.4", polynomial(piece[3], 0, 0.5));
     kw_claim_real(report, "bs.fig4.joint", jump);
     kw_claim_real(report, "bs.fig4.kink", kink);
+}
+
+int main(void)
+{
+    kw_out *f = kw_out_data("fig04"), *report = kw_claim_new("fig04");
+    kw_bspline *hats = kw_bspline_new_open_uniform(1, CELLS, 0, 1);
+    kw_bspline *bumps = kw_bspline_new_open_uniform(2, CELLS, 0, 1);
+    double piece[PIECES][D + 1];
+
+    pieces_of_function(piece);
+    write_pieces(f, piece);
+    write_univariate(f, "hats", hats, CELLS * SAMPLES);
+    write_univariate(f, "bumps", bumps, CELLS * SAMPLES);
+
+    report_pieces(report, piece);
+    kw_claim_real(report, "bs.fig4.unity.hats", unity_error(hats));
+    kw_claim_real(report, "bs.fig4.unity.bumps", unity_error(bumps));
     kw_claim_count(report, "bs.fig4.dim.hats", hats->n);
     kw_claim_count(report, "bs.fig4.dim.bumps", bumps->n);
 

@@ -12,7 +12,6 @@ set ytics 0.25
 do for [i=0:3] {
     set label 1+i sprintf("%d", i + 1) at i + 0.5, -0.17 center tc ls i+1
 }
-array DASH[4] = ["1", "2", "4", "5"]
 plot for [i=0:3] data index "pieces" every :::i::i using 1:2 with lines lw 1 dt 3 lc rgb COLOR[i+1], \
      for [i=0:3] data index "pieces" every ::60*i:i:60*(i+1):i using 1:2 with lines lw 3 lc rgb COLOR[i+1]
 unset label

@@ -7,8 +7,13 @@
 
 #include "bspline.h"
 #include "rng.h"
+#include <string.h>
 
-enum { PARTITION_D = 4, PARTITION_L = 5 };
+enum {
+    PARTITION_D = 4,
+    PARTITION_L = 5,
+    PARTITION_N = PARTITION_L * (PARTITION_D + 1) /* the largest dimension */
+};
 
 typedef struct partition {
     int d, L;                    /* degree 0 .. PARTITION_D, cells 1 .. PARTITION_L */
@@ -37,6 +42,21 @@ static inline partition random_partition(uint64_t seed, uint64_t i)
 static inline kw_bspline *partition_space(const partition *p)
 {
     return kw_bspline_new_open(p->d, p->L, p->tau, p->mu);
+}
+
+/* The same space on auxiliary knots of sample i, in order, 0 .. 2 apart: the knots are not open
+   but by chance. The caller frees. */
+static inline kw_bspline *with_auxiliary_knots(const kw_bspline *s, uint64_t i)
+{
+    double t[PARTITION_N + PARTITION_D + 1];
+    kw_rng r = kw_rng_at(4, 0, i, 0);
+
+    memcpy(t, s->t, (size_t)(s->n + s->d + 1) * sizeof *t);
+    for (int j = 1; j <= s->d; j++) {
+        t[s->d - j] = t[s->d - j + 1] - kw_rng_below(&r, 3);
+        t[s->n + j] = t[s->n + j - 1] + kw_rng_below(&r, 3);
+    }
+    return kw_bspline_new(s->d, s->n, t);
 }
 
 #endif

@@ -23,7 +23,7 @@ set zrange [0:1.7]
 set xtics 2 offset 0,-0.3 tc rgb "black"
 set ytics 1 offset 0.5,-0.2 tc rgb "black"
 set ztics 1 tc rgb "black"
-set label "s_3" at screen 0.52,0.72
+set label "s_3" at screen 0.49,0.72
 set view 56,34,1.1,1.2
 set pm3d depthorder
 unset colorbox

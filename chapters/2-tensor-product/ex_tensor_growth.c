@@ -1,6 +1,6 @@
 /* Growth -- what one more knot line costs, and how fast tensor-product dimensions grow.
 
-   What to see: on a logarithmic scale the dimension under repeated halving runs along straight
+   What to see: on a logarithmic scale the dimension under repeated halving tends to straight
    lines whose slopes are 1, 2 and 3 doublings a step: the price of a fine grid everywhere.
 
    Book: section 1.1, the limits of tensor products before Figure 7.

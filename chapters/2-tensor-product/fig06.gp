@@ -5,8 +5,8 @@ set output image
 set multiplot
 set label 1 "(a)" at screen 0.02,0.97 font ",12"
 set label 2 "(b)" at screen 0.50,0.97 font ",12"
-set label 3 "(c)" at screen 0.02,0.48 font ",12"
-set label 4 "(d)" at screen 0.50,0.48 font ",12"
+set label 3 "(c)" at screen 0.02,0.475 font ",12"
+set label 4 "(d) all functions, the largest at each point" at screen 0.50,0.475 font ",12"
 set xrange [0:1]
 set xtics 0.5
 set ytics 0.5
@@ -50,11 +50,11 @@ set xtics 0.5 offset 0,-0.3 tc rgb "black"
 set ytics 0.5 offset 0.5,-0.2 tc rgb "black"
 set ztics 0.3 tc rgb "black"
 set size 0.44,0.33
-set origin 0.53,0.71
-set title "β_{4,4}(x_1) β_{1,3}(x_2)" offset 0,-1.5
+set origin 0.53,0.72
+set title "β_{4,4}(x_1) β_{1,3}(x_2)" offset 0,-0.9
 splot data index "upper" using 1:2:3 with pm3d
-set origin 0.53,0.45
-set title "β_{3,4}(x_1) β_{5,3}(x_2)" offset 0,-1.5
+set origin 0.53,0.475
+set title "β_{3,4}(x_1) β_{5,3}(x_2)" offset 0,-0.9
 splot data index "lower" using 1:2:3 with pm3d
 unset title
 set zrange [0:1]

@@ -8,6 +8,8 @@ set xrange [0:1]
 set yrange [0:1]
 set xtics 0.5
 set ytics 0.5
+set xlabel "x_1" offset 0,0.5
+set ylabel "x_2" offset 1,0
 set size square 0.33,0.52
 array AT[3] = [0.00, 0.335, 0.67]
 array NAME[3] = ["initial mesh", "marked cells", "refined mesh"]
@@ -18,6 +20,8 @@ do for [p=1:3] {
          data index (p == 3 ? "refined mesh" : "mesh") using 1:2 with lines lw 1 lc rgb BLUE
 }
 set size nosquare
+set xlabel "x_1" offset 0,0.3
+set ylabel "x_2" offset -1.5,0.3
 set border 31 lw 0.8 lc rgb LIGHT
 set xyplane at 0
 set pm3d depthorder

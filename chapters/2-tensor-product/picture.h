@@ -1,4 +1,5 @@
-/* picture.h -- what the drivers of this lesson draw alike, for D = 2 on the unit square. */
+/* picture.h -- what the drivers of this lesson draw or count alike, for D = 2 on the unit
+   square. */
 #ifndef PICTURE_H
 #define PICTURE_H
 
@@ -30,6 +31,21 @@ static inline void write_knot_lines(kw_out *f, const char *name, const kw_tensor
             }
             kw_out_gap(f);
         }
+}
+
+/* The cells of the grid of knot lines: the product of the numbers of spans. */
+static inline int count_cells(const kw_tensor *g)
+{
+    int cells = 1;
+
+    for (int h = 0; h < g->D; h++) {
+        int spans = 0;
+
+        for (int i = g->s[h]->d; i < g->s[h]->n; i++)
+            spans += g->s[h]->t[i] < g->s[h]->t[i + 1];
+        cells *= spans;
+    }
+    return cells;
 }
 
 /* A whole basis as one surface: at each point of a grid of cells x cells the largest of its

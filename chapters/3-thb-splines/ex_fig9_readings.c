@@ -153,7 +153,7 @@ static void report_small(kw_out *report)
     kw_mesh *m = new_mesh((bands){4, 0, -1, 1, 7});
     kw_active *a = kw_active_new(m);
 
-    for (int level = 0; level < m->levels; level++)
+    for (int level = 0; level < STEPS; level++)
         kw_claim_count(report, id[level], a->start[level + 1] - a->start[level]);
     kw_claim_count(report, "hb.fig9.small.tensor", tensor_dimension(m));
     kw_active_free(a);

@@ -76,7 +76,7 @@ static void look_at(const kw_hier *b, uint64_t sample, findings *all)
         all->most = fmax(all->most, w[i]);
     }
     for (int p = 0; p < POINTS; p++) {
-        double x[KW_TENSOR_D], sum;
+        double x[KW_TENSOR_D], sum = 0;
 
         for (int h = 0; h < m->D; h++)
             x[h] = kw_rng_uniform(&r);

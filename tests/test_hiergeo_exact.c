@@ -1,0 +1,174 @@
+/* The representation of a THB-spline on one level against whole numbers (exact.h): the level, every
+   coefficient, and that the B-splines of the box are the function. */
+#include "exact.h"
+#include "hiergeo.h"
+#include "spline.h"
+
+enum { MESHES = 20, PLACES = 8 };
+
+/* One function of a mesh, as the library represents it. */
+typedef struct shown {
+    int level, first[D_MOST], count[D_MOST];
+    double *c;
+} shown;
+
+/* Where B-spline j stands in the box, or -1. */
+static int place_in_box(int D, const shown *s, const int *j)
+{
+    int place = 0;
+
+    for (int h = 0; h < D; h++) {
+        int at = j[h] - s->first[h];
+
+        if (at < 0 || at >= s->count[h])
+            return -1;
+        place = place * s->count[h] + at;
+    }
+    return place;
+}
+
+/* The level is the last one on which Definition 5 drops something, and the coefficients there are
+   the exact ones: changes of level, and three roundings for the exact fraction. */
+static void check_coefficients(const exact *e, int i, const shown *s)
+{
+    const int zero[D_MOST] = {0}, *mother = e->mother[i];
+    int cut, n[D_MOST] = {0}, j[D_MOST] = {0}, at = 0, unused;
+    wide scale = e->scale[mother[0]] / e->scale[s->level];
+    wide *c = exact_thb(e, mother, e->levels - 1, &cut);
+
+    CHECK(s->level == cut, "function %d: level %d, not %d", i, s->level, cut);
+    free(c);
+    c = exact_thb(e, mother, s->level, &unused);
+    functions_of(e->w, s->level, n);
+    do {
+        double want = (double)c[at++] / (double)scale, got = 0;
+        int place = place_in_box(e->w->D, s, j);
+
+        if (place >= 0)
+            got = s->c[place];
+        CHECK(fabs(got - want) <= bound(change_roundings(e->w->mesh) + 3, want),
+              "function %d, level %d: %.17g, not %.17g", i, s->level, got, want);
+    } while (step(e->w->D, zero, n, j));
+    free(c);
+}
+
+/* The box lies in the grid of its level. */
+static void check_box(const twin *w, int i, const shown *s)
+{
+    for (int h = 0; h < w->D; h++)
+        CHECK(s->count[h] >= 1 && s->first[h] >= 0 &&
+                  s->first[h] + s->count[h] <= w->mesh->level[s->level].s[h]->n,
+              "function %d: %d from %d in direction %d", i, s->count[h], s->first[h], h);
+}
+
+/* Evaluated by univariate functions the box is what kw_hier_one gives. */
+static void check_places(const exact *e, const kw_hier *b, int i, const shown *s,
+                         kw_rng *r)
+{
+    const int zero[D_MOST] = {0};
+    const kw_mesh *m = e->w->mesh;
+
+    for (int p = 0; p < PLACES; p++) {
+        double x[D_MOST] = {0}, sum = 0, got;
+        int at[D_MOST] = {0}, f = 0;
+
+        random_place(r, e->w, x);
+        do {
+            double product = s->c[f++];
+
+            for (int h = 0; h < m->D && product != 0; h++)
+                product *=
+                    kw_bspline_one(m->level[s->level].s[h], s->first[h] + at[h], 0, x[h]);
+            sum += product;
+        } while (step(m->D, zero, s->count, at));
+        got = kw_hier_one(b, KW_THB, i, NULL, x);
+        CHECK(fabs(got - sum) <= bound(2 * truncated_roundings(m), got + sum),
+              "function %d: %.17g, not %.17g", i, got, sum);
+    }
+}
+
+static void over_meshes(int D, int highest, int most, int finest)
+{
+    for (int sample = 0; sample < MESHES; sample++) {
+        kw_rng r = kw_rng_at(42, (uint64_t)D, (uint64_t)sample, 0);
+        twin w = random_twin(&r, D, highest, most, finest);
+        exact *e = exact_new(&w);
+        kw_hier *b = kw_hier_new(w.mesh);
+
+        CHECK(b->active->size == e->size, "%d, %d", b->active->size, e->size);
+        for (int i = 0; i < e->size; i++) {
+            shown s;
+
+            s.level = kw_hiergeo_new_representation(b, i, s.first, s.count, &s.c);
+            check_box(&w, i, &s);
+            check_coefficients(e, i, &s);
+            check_places(e, b, i, &s, &r);
+            free(s.c);
+        }
+        kw_hier_free(b);
+        exact_free(e);
+        twin_free(&w);
+    }
+}
+
+static void one_direction(void)
+{
+    over_meshes(1, 4, 5, 3);
+}
+
+static void two_directions(void)
+{
+    over_meshes(2, 3, 2, 2);
+}
+
+static void three_directions(void)
+{
+    over_meshes(3, 2, 2, 1);
+}
+
+/* With nothing refined a function is its own representation. */
+static void one_function(void)
+{
+    for (int D = 1; D <= D_MOST; D++) {
+        twin w = twin_new(meshes_uniform(D, 2, 2), 0);
+        kw_hier *b = kw_hier_new(w.mesh);
+
+        for (int i = 0; i < b->active->size; i++) {
+            int level, j[D_MOST], first[D_MOST], count[D_MOST];
+            double *c;
+            int on = kw_hiergeo_new_representation(b, i, first, count, &c);
+
+            kw_active_function(b->active, i, &level, j);
+            CHECK(on == level && c[0] == 1, "level %d, %g", on, c[0]);
+            for (int h = 0; h < D; h++)
+                CHECK(first[h] == j[h] && count[h] == 1, "%d, %d", first[h], count[h]);
+            free(c);
+        }
+        kw_hier_free(b);
+        twin_free(&w);
+    }
+}
+
+static void function_beyond(void)
+{
+    int first[2], count[2];
+    double *c;
+
+    kw_hiergeo_new_representation(kw_hier_new(kw_mesh_new(meshes_uniform(2, 2, 3))), 25,
+                                  first, count, &c);
+}
+
+static void misuse_aborts(void)
+{
+    test_aborts("function 25, not in 0 .. 24", function_beyond);
+}
+
+int main(void)
+{
+    test_run("hiergeo: in one direction representations are exact", one_direction);
+    test_run("hiergeo: in two directions representations are exact", two_directions);
+    test_run("hiergeo: in three directions representations are exact", three_directions);
+    test_run("hiergeo: what is not truncated represents itself", one_function);
+    test_run("hiergeo: a function that is none aborts", misuse_aborts);
+    return test_end();
+}
