@@ -147,8 +147,8 @@ fuzz:
 	@rm -rf build/fuzz/corpus && mkdir -p build/fuzz/corpus
 	@$(MAKE) --no-print-directory -s CC=clang BUILD=build/fuzz build/fuzz/bin/fuzz_meshfile \
 	    SANITIZE='-g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all'
-	build/fuzz/bin/fuzz_meshfile -seed=1 -runs=100000 -max_total_time=20 -max_len=400 \
-	    -timeout=5 -rss_limit_mb=1024 -artifact_prefix=build/fuzz/ -print_final_stats=1 \
+	build/fuzz/bin/fuzz_meshfile -seed=1 -runs=400000 -max_total_time=20 -max_len=400 \
+	    -timeout=10 -rss_limit_mb=2048 -artifact_prefix=build/fuzz/ -verbosity=0 \
 	    -dict=tests/fuzz/meshfile.dict build/fuzz/corpus tests/fuzz/corpus
 
 # --- tools ---

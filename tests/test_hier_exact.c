@@ -97,9 +97,9 @@ static void compare_at_points(kw_rng *r, const pair *q, int derivatives)
     exact_point *p = room_for(2, sizeof *p);
 
     for (int point = 0; point < POINTS; point++) {
-        rational at[D_MOST];
+        rational at[D_MOST] = {{0, 1}, {0, 1}, {0, 1}};
         int order[D_MOST] = {0};
-        double x[D_MOST];
+        double x[D_MOST] = {0};
 
         for (int h = 0; h < q->w.D; h++) {
             at[h] = coordinate(r, &q->w, h);

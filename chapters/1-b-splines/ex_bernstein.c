@@ -1,11 +1,11 @@
-/* Remarks 3, 4 and 6 -- without interior knots B-splines are Bernstein polynomials.
+/* Remarks 3 and 4 -- without interior knots B-splines are Bernstein polynomials.
 
    What to see: left, the five polynomials of degree 4, each with its one maximum at j/4;
    right, de Casteljau's algorithm, which averages neighbours until one point is left, the
    point of the curve.
 
-   Book: section 1.1, (7), (8), Remarks 3, 4 and 6.
-   Claims: bs.rem3.*, bs.eq8, bs.rem4.*, tp.rem6.*
+   Book: section 1.1, (7), (8), Remarks 3 and 4.
+   Claims: bs.rem3.*, bs.eq7.knots, bs.eq8, bs.rem4.*
    Chosen here: degrees 0 .. 8; the cubic and x = 0.4 of the picture. */
 
 #include "bernstein.h" /* formula (8), de Casteljau */
@@ -14,14 +14,13 @@
 #include "curve.h"     /* de Boor */
 #include "out.h"       /* columns for gnuplot */
 #include "rng.h"       /* control points */
-#include "tensor.h"    /* Remark 6 */
 #include <math.h>
 
 enum { HIGHEST = 8, SAMPLES = 40, PLANE = 2 };
 
 typedef struct findings {
-    int dimension, knots, tensor_count;
-    double formula, casteljau, tensor, tensor_form;
+    int dimension, knots;
+    double formula, casteljau;
 } findings;
 
 /* n = k, and the knots are k zeros and k ones. */
@@ -63,47 +62,6 @@ static void compare_algorithms(const kw_bspline *s, findings *all)
         for (int a = 0; a < PLANE; a++)
             all->casteljau = fmax(all->casteljau, fabs(deboor[a] - casteljau[a]));
     }
-}
-
-/* In D = 3 directions of degrees 1, 2, 3: the functions are the products of (8), and a
-   geometry is the sum of its control values times them. */
-static void compare_tensor(findings *all)
-{
-    enum { D = 3, LOCAL = 2 * 3 * 4 };
-    kw_bspline *s[D];
-    double value[LOCAL], c[LOCAL], bernstein[D][D + 1];
-    kw_rng r = kw_rng_at(9, 1, 0, 0);
-    kw_tensor *g;
-
-    for (int h = 0; h < D; h++)
-        s[h] = kw_bspline_new_open_uniform(h + 1, 1, 0, 1);
-    g = kw_tensor_new(D, (const kw_bspline *const *)s);
-    all->tensor_count += kw_tensor_dimension(g) != LOCAL || kw_tensor_local(g) != LOCAL;
-    for (int j = 0; j < LOCAL; j++)
-        c[j] = 2 * kw_rng_uniform(&r) - 1;
-    for (int i = 0; i <= SAMPLES; i++) {
-        const double x[D] = {(double)i / SAMPLES, 1 - (double)i / SAMPLES, 0.5};
-        double sum = 0, point;
-        int first[D];
-
-        kw_tensor_basis(g, NULL, x, first, value);
-        kw_tensor_point(g, 1, c, NULL, x, &point);
-        for (int h = 0; h < D; h++)
-            kw_bernstein_basis(h + 1, x[h], bernstein[h]);
-        for (int flat = 0; flat < LOCAL; flat++) {
-            double product;
-            int j[D];
-
-            kw_tensor_multi(g, flat, j);
-            product = bernstein[0][j[0]] * bernstein[1][j[1]] * bernstein[2][j[2]];
-            all->tensor = fmax(all->tensor, fabs(value[flat] - product));
-            sum += c[flat] * product;
-        }
-        all->tensor_form = fmax(all->tensor_form, fabs(point - sum));
-    }
-    kw_tensor_free(g);
-    for (int h = 0; h < D; h++)
-        kw_bspline_free(s[h]);
 }
 
 static void write_functions(kw_out *f)
@@ -155,7 +113,7 @@ static void write_casteljau(kw_out *f)
 int main(void)
 {
     kw_out *f = kw_out_data("ex_bernstein"), *report = kw_claim_new("ex_bernstein");
-    findings all = {0, 0, 0, 0, 0, 0, 0};
+    findings all = {0, 0, 0, 0};
 
     for (int d = 0; d <= HIGHEST; d++) {
         kw_bspline *s = kw_bspline_new_open_uniform(d, 1, 0, 1);
@@ -165,7 +123,6 @@ int main(void)
         compare_algorithms(s, &all);
         kw_bspline_free(s);
     }
-    compare_tensor(&all);
     write_functions(f);
     write_casteljau(f);
 
@@ -173,8 +130,5 @@ int main(void)
     kw_claim_count(report, "bs.eq7.knots", all.knots);
     kw_claim_real(report, "bs.eq8", all.formula);
     kw_claim_real(report, "bs.rem4.casteljau", all.casteljau);
-    kw_claim_count(report, "tp.rem6.count", all.tensor_count);
-    kw_claim_real(report, "tp.rem6.basis", all.tensor);
-    kw_claim_real(report, "tp.rem6.form", all.tensor_form);
     return kw_out_close(f) | kw_out_close(report);
 }

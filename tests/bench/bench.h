@@ -1,11 +1,14 @@
-/* bench.h -- time, as the median of several runs. Only ratios within one run mean much. */
+/* bench.h -- processor time, as the median of several runs. Only ratios within one run of
+   the program mean much. */
 #ifndef BENCH_H
 #define BENCH_H
 
 #include <stdlib.h>
 #include <time.h>
 
-enum { BENCH_RUNS = 3 };
+/* Runs go on until there are enough of them or enough time has passed. */
+enum { BENCH_FEWEST = 3, BENCH_MOST = 25 };
+static const double bench_enough = 1e9; /* nanoseconds */
 
 /* What is timed. It returns a number that depends on all it computes, so that no compiler
    leaves anything out. */
@@ -15,8 +18,8 @@ static inline double bench_now(void)
 {
     struct timespec t;
 
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
 }
 
 static inline int bench_ascending(const void *a, const void *b)
@@ -29,19 +32,21 @@ static inline int bench_ascending(const void *a, const void *b)
 /* The median time of work(with) in nanoseconds, after a run that warms up. */
 static inline double bench_median(bench_work *work, void *with)
 {
-    volatile double kept;
-    double time[BENCH_RUNS];
+    volatile double kept = work(with);
+    double time[BENCH_MOST], begin = bench_now(), start = begin;
+    int runs = 0;
 
-    kept = work(with);
-    for (int i = 0; i < BENCH_RUNS; i++) {
-        double start = bench_now();
+    while (runs < BENCH_FEWEST || (runs < BENCH_MOST && start - begin < bench_enough)) {
+        double end;
 
         kept = work(with);
-        time[i] = 1e9 * (bench_now() - start);
+        end = bench_now();
+        time[runs++] = end - start;
+        start = end;
     }
     (void)kept;
-    qsort(time, BENCH_RUNS, sizeof *time, bench_ascending);
-    return time[BENCH_RUNS / 2];
+    qsort(time, (size_t)runs, sizeof *time, bench_ascending);
+    return time[runs / 2];
 }
 
 #endif

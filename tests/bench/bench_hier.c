@@ -107,7 +107,7 @@ int main(void)
            "degree  times functions  build ns/function  bytes/function      "
            "THB ns/point       HB ns/point\n");
     for (int d = 2; d <= 3; d++) {
-        double first[COLUMNS], column[COLUMNS];
+        double first[COLUMNS] = {0}, column[COLUMNS];
 
         for (int times = 4; times <= 12; times += 2) {
             int size = measure(d, times, column);
