@@ -217,8 +217,10 @@ int kw_mesh_refine(kw_mesh *m, int level, const int *low, const int *high)
     int cell[KW_TENSOR_D], done = 0;
     double box = 1;
 
-    KW_NEED(0 <= level && level < m->levels && level + 1 < KW_MESH_LEVELS,
-            "level %d, not in 0 .. %d", level, m->levels - 1);
+    KW_NEED(0 <= level && level < m->levels, "level %d, not in 0 .. %d", level,
+            m->levels - 1);
+    KW_NEED(level + 1 < KW_MESH_LEVELS, "level %d; level %d is the last one", level,
+            KW_MESH_LEVELS - 1);
     for (int h = 0; h < m->D; h++) {
         KW_NEED(0 <= low[h] && low[h] <= high[h] && high[h] <= m->level[level].cells[h],
                 "cells %d .. %d of direction %d on level %d, not in 0 .. %d", low[h],

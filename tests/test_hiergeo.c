@@ -57,7 +57,7 @@ static double *random_coefficients(kw_rng *r, int count)
 /* The sum of all functions at x; of the THB-splines it is one. */
 static double total(const kw_hier *b, kw_hier_kind kind, const double *x)
 {
-    double sum, *one = room_for(b->active->size, sizeof *one);
+    double sum = 0, *one = room_for(b->active->size, sizeof *one);
 
     for (int i = 0; i < b->active->size; i++)
         one[i] = 1;
@@ -280,7 +280,7 @@ static double weight_error(const kw_mesh *m)
 static void weights(const bases *q, kw_rng *r)
 {
     const kw_mesh *m = q->w.mesh;
-    double *w = room_for(q->size + GUARD, sizeof *w), x[D_MOST], sum;
+    double *w = room_for(q->size + GUARD, sizeof *w), x[D_MOST], sum = 0;
     double off = weight_error(m);
 
     poison(w, q->size);
