@@ -125,7 +125,7 @@ valgrind:
 	    { cat build/valgrind/log; echo "valgrind: $$program" >&2; exit 1; }; done
 	@echo "valgrind finds nothing in $(words $(DRIVERS)) drivers and $(words $(TESTS)) tests"
 
-SOURCES := $(sort $(wildcard lib/*.[ch] gen/*.[ch] tests/*.[ch] tests/*/*.c chapters/*/*.c))
+SOURCES := $(sort $(wildcard lib/*.[ch] gen/*.[ch] tests/*.[ch] tests/*/*.[ch] chapters/*/*.c))
 
 lint:
 	clang-format --dry-run --Werror $(SOURCES)

@@ -29,22 +29,9 @@ kw_mesh *gen_mesh(const char *path)
 {
     char message[KW_MESHFILE_MESSAGE];
     kw_mesh *m = kw_meshfile_read(path, message);
-    double local = 1;
 
-    if (!m) {
+    if (!m)
         gen_say(GEN_BAD_INPUT, "%s", message);
-        return NULL;
-    }
-    for (int h = 0; h < m->D; h++)
-        local *= m->level[0].s[h]->d + 1;
-    if (local > KW_ACTIVE_LOCAL) {
-        gen_say(GEN_BAD_INPUT,
-                "%s: degrees this high have %.0f functions on a cell, more "
-                "than %d",
-                path, local, KW_ACTIVE_LOCAL);
-        kw_mesh_free(m);
-        return NULL;
-    }
     return m;
 }
 

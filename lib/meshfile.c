@@ -1,4 +1,5 @@
 #include "meshfile.h"
+#include "active.h"
 #include "need.h"
 #include "out.h"
 #include <errno.h>
@@ -8,6 +9,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* What a file may ask for, so that no short text takes the whole machine. */
+enum {
+    MOST_BYTES = 1 << 28,
+    MOST_IN_DIRECTION = 1 << 20, /* cells of a direction on one level */
+    MOST_CELLS = 1 << 26         /* on level 0; gone through by all refine lines */
+};
 
 /* A text that is being read, and what is known of the mesh so far. */
 typedef struct reader {
@@ -21,6 +29,7 @@ typedef struct reader {
     int (*box)[1 + 2 * KW_TENSOR_D]; /* level, low, high of each refine line */
     int *box_line;                   /* the line it stands in */
     size_t boxes, room;
+    double walked; /* cells that the boxes used so far went through */
 } reader;
 
 /* Notes what is wrong in the present line; always 1. */
@@ -76,6 +85,7 @@ static int read_int(reader *r, const char *word, const char *what, int low, int 
 static int read_degree(reader *r, char *rest)
 {
     char *word;
+    int local = 1;
 
     if (r->D > 0)
         return complain(r,
@@ -89,7 +99,14 @@ static int read_degree(reader *r, char *rest)
             return 1;
         r->D++;
     }
-    return r->D > 0 ? 0 : complain(r, "`degree` without a number");
+    if (r->D == 0)
+        return complain(r, "`degree` without a number");
+    for (int h = 0; h < r->D; h++)
+        local *= r->degree[h] + 1;
+    if (local > KW_ACTIVE_LOCAL)
+        return complain(r, "%d functions on a cell, more than %d", local,
+                        KW_ACTIVE_LOCAL);
+    return 0;
 }
 
 /* What kw_bspline_new would abort on. */
@@ -201,9 +218,10 @@ static int check_next_level(reader *r, const kw_mesh *m, int level)
     for (int h = 0; h < m->D; h++) {
         const double *t = l->s[h]->t;
 
-        if (l->cells[h] > INT_MAX / 8)
-            return complain(r, "level %d would have %.0f cells in direction %d",
-                            level + 1, 2.0 * l->cells[h], h);
+        if (l->cells[h] > MOST_IN_DIRECTION / 2)
+            return complain(r,
+                            "level %d would have %d cells in direction %d, more than %d",
+                            level + 1, 2 * l->cells[h], h, MOST_IN_DIRECTION);
         functions *= 2.0 * l->cells[h] + l->s[h]->n;
         for (int i = 0; i < l->s[h]->n + l->s[h]->d; i++) {
             double middle = t[i] + (t[i + 1] - t[i]) / 2;
@@ -217,6 +235,24 @@ static int check_next_level(reader *r, const kw_mesh *m, int level)
     if (functions > 0x1p60)
         return complain(r, "level %d would have about %g functions", level + 1,
                         functions);
+    return 0;
+}
+
+/* Counts the cells that kw_mesh_refine goes through. */
+static int check_work(reader *r, const kw_mesh *m, int level, const int *low,
+                      const int *high)
+{
+    double cells = 1;
+
+    for (int h = 0; h < m->D; h++)
+        cells *= high[h] - low[h];
+    if (level > 0)
+        cells = fmin(cells, (double)m->level[level - 1].count * (1 << m->D));
+    r->walked += cells;
+    if (r->walked > MOST_CELLS)
+        return complain(r,
+                        "the boxes of level 0 to this one have %.0f cells, more than %d",
+                        r->walked, MOST_CELLS);
     return 0;
 }
 
@@ -237,7 +273,8 @@ static int use_box(reader *r, kw_mesh *m, const int *box)
             return complain(r, "an empty box: cells %d .. %d of direction %d", low[h],
                             high[h] - 1, h);
     }
-    if (level + 1 == m->levels && check_next_level(r, m, level))
+    if (check_work(r, m, level, low, high) ||
+        (level + 1 == m->levels && check_next_level(r, m, level)))
         return 1;
     kw_mesh_refine(m, level, low, high);
     return 0;
@@ -257,8 +294,8 @@ static kw_mesh *build(reader *r)
     }
     for (int h = 0; h < r->D; h++)
         functions *= r->s[h]->n;
-    if (functions > INT_MAX) {
-        complain(r, "%.0f functions on level 0", functions);
+    if (functions > MOST_CELLS) {
+        complain(r, "%.0f functions on level 0, more than %d", functions, MOST_CELLS);
         return NULL;
     }
     g = kw_tensor_new(r->D, (const kw_bspline *const *)r->s);
@@ -323,7 +360,7 @@ static char *read_file(const char *path, size_t *size)
     text = kw_need_memory(room, 1);
     *size = 0;
     errno = 0;
-    while ((got = fread(text + *size, 1, room - *size, f)) > 0) {
+    while (*size <= MOST_BYTES && (got = fread(text + *size, 1, room - *size, f)) > 0) {
         *size += got;
         if (*size == room) {
             char *more = realloc(text, room *= 2);
@@ -332,7 +369,7 @@ static char *read_file(const char *path, size_t *size)
             text = more;
         }
     }
-    error = ferror(f) ? errno : 0;
+    error = *size > MOST_BYTES ? EFBIG : ferror(f) ? errno : 0;
     fclose(f);
     if (error) { /* a directory, say */
         free(text);
