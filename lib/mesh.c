@@ -147,7 +147,7 @@ int kw_mesh_refined(const kw_mesh *m, int level, const int *cell)
 
 int kw_mesh_inside(const kw_mesh *m, int level, const int *cell)
 {
-    int parent[KW_TENSOR_D];
+    int parent[KW_TENSOR_D] = {0};
 
     need_cell(m, level, cell);
     if (level == 0)

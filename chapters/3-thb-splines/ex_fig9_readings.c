@@ -5,7 +5,8 @@
    printed numbers, and few meshes lie on both.
 
    Book: section 1.1, the text around Figure 9.
-   Claims: hb.fig9.uniform, hb.fig9.odd, hb.fig9.cubic.*, hb.fig9.search.*, hb.fig9.small.*
+   Claims: hb.fig9.uniform, hb.fig9.odd, hb.fig9.cubic.*, hb.fig9.search.*, hb.fig9.small.*,
+   hb.fig9.double
    Chosen here: the family. Bi-degree (2,2), N x N cells, N = 4 .. 8, three levels. Diagonal
    bands: |i-j| <= a on level 0, |i-j| <= b on level 1. Crossed bands: s <= i+j <= t on level
    0, |i-j| <= b on level 1. Omega^2 is what of its band lies in Omega^1. */
@@ -160,6 +161,24 @@ static void report_small(kw_out *report)
     kw_mesh_free(m);
 }
 
+/* Bi-degree (2,2) on six cells whose middle knot is double, and stays so when all cells are
+   halved twice. */
+static void report_double(kw_out *report)
+{
+    const double tau[] = {0, 1, 2, 3, 4, 5, 6};
+    const int mu[] = {1, 1, 2, 1, 1};
+    kw_bspline *s = kw_bspline_new_open(2, 6, tau, mu);
+    const kw_bspline *both[2] = {s, s};
+    kw_tensor *g = kw_tensor_new(2, both), *once = kw_tensor_new_dyadic(g);
+    kw_tensor *twice = kw_tensor_new_dyadic(once);
+
+    kw_claim_count(report, "hb.fig9.double", kw_tensor_dimension(twice));
+    kw_tensor_free(g);
+    kw_tensor_free(once);
+    kw_tensor_free(twice);
+    kw_bspline_free(s);
+}
+
 int main(void)
 {
     kw_out *f = kw_out_data("ex_fig9_readings"),
@@ -169,6 +188,7 @@ int main(void)
     report_uniform(report);
     report_cubic(report);
     report_small(report);
+    report_double(report);
     kw_claim_count(report, "hb.fig9.search.meshes", all.meshes);
     kw_claim_count(report, "hb.fig9.search.184", all.hierarchical);
     kw_claim_count(report, "hb.fig9.search.729", all.tensor);
