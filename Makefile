@@ -120,10 +120,13 @@ identical:
 
 valgrind:
 	@$(MAKE) --no-print-directory -s check OPT='-O1 -g' BUILD=build/valgrind
-	@for program in $(addprefix build/valgrind/bin/,$(DRIVERS) $(TESTS)); do \
-	    valgrind -q --leak-check=full --child-silent-after-fork=yes --error-exitcode=9 $$program >build/valgrind/log 2>&1 || \
-	    { cat build/valgrind/log; echo "valgrind: $$program" >&2; exit 1; }; done
+	@$(MAKE) --no-print-directory -s $(DRIVERS:%=valgrind-%) $(TESTS:%=valgrind-%)
 	@echo "valgrind finds nothing in $(words $(DRIVERS)) drivers and $(words $(TESTS)) tests"
+
+valgrind-%:
+	@log=build/valgrind/$*.log; valgrind -q --leak-check=full --child-silent-after-fork=yes \
+	    --error-exitcode=9 build/valgrind/bin/$* >$$log 2>&1 || \
+	    { cat $$log; echo "valgrind: $*" >&2; exit 1; }
 
 SOURCES := $(sort $(wildcard lib/*.[ch] gen/*.[ch] tests/*.[ch] tests/*/*.[ch] chapters/*/*.c))
 

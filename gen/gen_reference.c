@@ -96,10 +96,18 @@ static void print_all(const task *t)
         print_point(t, p);
 }
 
-static int answer(task *t, const kw_mesh *m, const char *path)
+/* A short file may ask for more than a machine has. */
+static const double most_bytes = 0x1p33;
+
+static int answer(task *t, const kw_mesh *m, const char *mesh, const char *path)
 {
+    double bytes = kw_hier_estimate(m);
     int status;
 
+    if (bytes > most_bytes)
+        return gen_say(GEN_BAD_INPUT,
+                       "%s: its basis needs about %.2g bytes, more than %.2g", mesh,
+                       bytes, most_bytes);
     t->b = kw_hier_new(m);
     t->index = kw_need_memory((size_t)t->b->most, sizeof *t->index);
     t->value = kw_need_memory((size_t)t->b->most, sizeof *t->value);
@@ -128,7 +136,7 @@ static int run(const char *const *value)
     if (status == GEN_GOOD && points_read(value[AT], m, &t.count, &t.x) != 0)
         status = GEN_BAD_INPUT;
     if (status == GEN_GOOD)
-        status = answer(&t, m, value[AT]);
+        status = answer(&t, m, value[MESH], value[AT]);
     free(t.x);
     kw_mesh_free(m);
     return status;

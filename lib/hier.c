@@ -6,188 +6,257 @@
 
 enum { K = KW_BSPLINE_DEGREE + 1, D_MOST = KW_TENSOR_D };
 
-/* --- the tree of cells ---
+/* Makes room for `need` objects of `size` bytes in a growing array, which is not NULL then. */
+static void *grown(void *array, size_t *room, size_t need, size_t size)
+{
+    if (array && need <= *room)
+        return array;
+    *room = need + need / 2 + 64;
+    array = realloc(array, *room * size);
+    KW_NEED(array, "memory for %zu objects of %zu bytes", *room, size);
+    return array;
+}
+
+/* Gives back what an array has in reserve. */
+static void *cut(void *array, size_t *room, size_t used, size_t size)
+{
+    *room = used;
+    array = realloc(array, (used > 0 ? used : 1) * size);
+    KW_NEED(array, "memory for %zu objects of %zu bytes", used, size);
+    return array;
+}
+
+/* --- the THB-splines of every cell ---
 
    On the way down from a cell of level 0 a table is carried along: the THB-splines met so far
    that are not zero on the cell, as combinations of its local functions. */
 
 typedef struct table {
-    int count, room;
-    int *index;  /* function of each row */
-    double *row; /* count x local */
+    int count;
+    int *index;  /* count: the functions */
+    double *row; /* local x count: their coefficients */
+    int carried; /* the first of them that belong to coarser levels */
+    double *work;
+    size_t index_room, row_room, work_room;
+    kw_twoscale halves;      /* from the cell of this level to its children */
+    int is[KW_ACTIVE_LOCAL]; /* what the local functions of the cell are */
 } table;
 
-/* Appends a row and returns it; its numbers are not set. */
-static double *new_row(table *t, int local, int index)
+/* Steps from the table of a cell to that of a child, as it is before truncation. */
+static void refine_table(const table *from, int child, int local, table *to)
 {
-    if (t->count == t->room) {
-        t->room = t->room > 0 ? 2 * t->room : 32;
-        t->index = realloc(t->index, (size_t)t->room * sizeof *t->index);
-        t->row = realloc(t->row, (size_t)t->room * (size_t)local * sizeof *t->row);
-        KW_NEED(t->index && t->row, "memory for %d rows", t->room);
-    }
-    t->index[t->count] = index;
-    return t->row + (size_t)t->count++ * (size_t)local;
+    size_t numbers = (size_t)local * (size_t)from->count;
+
+    to->count = from->count;
+    to->index = grown(to->index, &to->index_room, (size_t)from->count, sizeof *to->index);
+    to->row = grown(to->row, &to->row_room, numbers, sizeof *to->row);
+    to->work = grown(to->work, &to->work_room, numbers, sizeof *to->work);
+    memcpy(to->index, from->index, (size_t)from->count * sizeof *to->index);
+    memcpy(to->row, from->row, numbers * sizeof *to->row);
+    kw_twoscale_apply(&from->halves, child, (int)numbers, to->row, to->work);
 }
 
-/* Appends the active functions of a cell's level, each one of its local functions; returns
-   how many there are. */
-static int add_active(table *t, int local, const int *is)
+/* Is every local function of the cell one that Definition 5 cuts off from coarser ones? Then
+   nothing is left of these, and nothing has to be computed. */
+static int all_cut_off(const int *is, int local)
 {
-    int added = 0;
+    for (int f = 0; f < local; f++)
+        if (is[f] < KW_ACTIVE_COVERED)
+            return 0;
+    return 1;
+}
+
+/* Sets what Definition 5 cuts off to zero. [source text, (15), (16)] */
+static void truncate_table(table *t, int local)
+{
+    for (int f = 0; f < local; f++)
+        if (t->is[f] >= KW_ACTIVE_COVERED)
+            memset(t->row + (size_t)f * (size_t)t->count, 0,
+                   (size_t)t->count * sizeof *t->row);
+}
+
+static int is_zero(const table *t, int local, int i)
+{
+    for (int f = 0; f < local; f++)
+        if (t->row[(size_t)f * (size_t)t->count + (size_t)i] != 0)
+            return 0;
+    return 1;
+}
+
+/* Drops the functions of which nothing is left. */
+static void drop_zeros(table *t, int local)
+{
+    int kept = 0;
+
+    for (int i = 0; i < t->count; i++) {
+        if (is_zero(t, local, i))
+            continue;
+        t->index[kept] = t->index[i];
+        for (int f = 0; kept < i && f < local; f++)
+            t->row[(size_t)f * (size_t)t->count + (size_t)kept] =
+                t->row[(size_t)f * (size_t)t->count + (size_t)i];
+        kept++;
+    }
+    for (int f = 1; kept < t->count && f < local; f++)
+        memmove(t->row + (size_t)f * (size_t)kept, t->row + (size_t)f * (size_t)t->count,
+                (size_t)kept * sizeof *t->row);
+    t->count = kept;
+}
+
+/* Appends the active functions of the cell's level, each one of its local functions. */
+static void add_active(table *t, int local)
+{
+    int before = t->count, added = 0;
+    size_t numbers;
+    double *wider;
 
     for (int f = 0; f < local; f++)
-        if (is[f] >= KW_ACTIVE_FIRST) {
-            double *row = new_row(t, local, is[f] - KW_ACTIVE_FIRST);
-
-            memset(row, 0, (size_t)local * sizeof *row);
-            row[f] = 1;
-            added++;
+        added += t->is[f] >= KW_ACTIVE_FIRST;
+    if (added == 0)
+        return;
+    t->count += added;
+    numbers = (size_t)local * (size_t)t->count;
+    t->index = grown(t->index, &t->index_room, (size_t)t->count, sizeof *t->index);
+    t->work = grown(t->work, &t->work_room, numbers, sizeof *t->work);
+    wider = t->work;
+    memset(wider, 0, numbers * sizeof *wider);
+    added = before;
+    for (int f = 0; f < local; f++, wider += t->count) {
+        memcpy(wider, t->row + (size_t)f * (size_t)before,
+               (size_t)before * sizeof *wider);
+        if (t->is[f] >= KW_ACTIVE_FIRST) {
+            t->index[added] = t->is[f] - KW_ACTIVE_FIRST;
+            wider[added++] = 1;
         }
-    return added;
-}
-
-/* Sets what Definition 5 cuts off to zero; returns whether anything is left. */
-static int truncate_row(int local, const int *is, double *row)
-{
-    int left = 0;
-
-    for (int f = 0; f < local; f++) {
-        if (is[f] >= KW_ACTIVE_COVERED)
-            row[f] = 0;
-        left = left || row[f] != 0;
     }
-    return left;
+    t->row = grown(t->row, &t->row_room, numbers, sizeof *t->row);
+    memcpy(t->row, t->work, numbers * sizeof *t->row);
 }
 
-/* The rows of a cell's table on one of its children, truncated there; those of which nothing
-   is left are dropped. [source text, (15), (16)] */
-static void carry_rows(const table *from, int local, const kw_twoscale *s, const int *is,
-                       table *to)
+/* Remembers which active functions are local to the cell of a node; returns how many. */
+static int remember_own(kw_hier *b, int node, const int *is)
 {
-    double work[KW_ACTIVE_LOCAL];
+    kw_hier_own *own = &b->own[node];
+    size_t most = b->owns + (size_t)b->active->local;
 
-    to->count = 0;
-    for (int i = 0; i < from->count; i++) {
-        double *row = new_row(to, local, from->index[i]);
-
-        memcpy(row, from->row + (size_t)i * (size_t)local, (size_t)local * sizeof *row);
-        kw_twoscale_apply(s, local, row, work);
-        if (!truncate_row(local, is, row))
-            to->count--;
-    }
+    b->own_index = grown(b->own_index, &b->own_index_room, most, sizeof *b->own_index);
+    b->own_place = grown(b->own_place, &b->own_place_room, most, sizeof *b->own_place);
+    own->first = b->owns;
+    for (int f = 0; f < b->active->local; f++)
+        if (is[f] >= KW_ACTIVE_FIRST) {
+            b->own_index[b->owns] = is[f] - KW_ACTIVE_FIRST;
+            b->own_place[b->owns++] = (unsigned short)f;
+            own->count++;
+        }
+    return own->count;
 }
 
-static void add_leaf(kw_hier *b, int level, const int *cell, const table *t, size_t at)
+static void remember_leaf(kw_hier *b, int node, int level, const int *cell,
+                          const table *t)
 {
     const kw_mesh *m = b->active->mesh;
-    size_t local = (size_t)b->active->local;
-    kw_hier_leaf *l;
+    size_t carried = (size_t)t->carried, numbers = b->numbers,
+           local = (size_t)b->active->local;
+    kw_hier_leaf *l = &b->leaf[-1 - b->tree->node[node].child];
 
-    if (b->leaves == b->leaf_room) {
-        b->leaf_room = b->leaf_room + b->leaf_room / 2 + 64;
-        b->leaf = realloc(b->leaf, b->leaf_room * sizeof *b->leaf);
-        KW_NEED(b->leaf, "memory for %zu cells", b->leaf_room);
-    }
-    while (b->rows + (size_t)t->count > b->row_room) {
-        b->row_room = b->row_room + b->row_room / 2 + 64;
-        b->index = realloc(b->index, b->row_room * sizeof *b->index);
-        b->row = realloc(b->row, b->row_room * local * sizeof *b->row);
-        KW_NEED(b->index && b->row, "memory for %zu rows", b->row_room);
-    }
-    b->tree[at] = -1 - (int)b->leaves;
-    l = &b->leaf[b->leaves++];
+    KW_NEED(t->count > 0, "no function on a cell of level %d", level);
     l->level = level;
+    l->node = node;
     for (int h = 0; h < m->D; h++)
         l->span[h] = m->level[level].span[h][cell[h]];
-    l->first = b->rows;
-    l->count = t->count;
-    KW_NEED(t->count > 0, "no function on a cell of level %d", level);
-    memcpy(b->index + b->rows, t->index, (size_t)t->count * sizeof *b->index);
-    memcpy(b->row + b->rows * local, t->row, (size_t)t->count * local * sizeof *b->row);
-    b->rows += (size_t)t->count;
+    l->carried = t->carried;
+    l->index = b->indices;
+    l->row = b->numbers;
+    b->index = grown(b->index, &b->index_room, b->indices + carried, sizeof *b->index);
+    b->row = grown(b->row, &b->row_room, numbers + local * carried, sizeof *b->row);
+    memcpy(b->index + b->indices, t->index, carried * sizeof *b->index);
+    b->indices += carried;
+    for (size_t f = 0; f < local; f++)
+        if (t->is[f] == KW_ACTIVE_OUTSIDE) {
+            memcpy(b->row + b->numbers, t->row + f * (size_t)t->count,
+                   carried * sizeof *b->row);
+            b->numbers += carried;
+        }
 }
 
-/* Room for `count` more cells in the tree; returns the place of the first. */
-static size_t add_cells(kw_hier *b, size_t count)
+/* The table of a cell, from that of its parent if it has one. */
+static void fill_table(const table *parent, int child, int local, table *t)
 {
-    size_t first = b->cells;
-
-    b->cells += count;
-    KW_NEED(b->cells < INT32_MAX, "%zu cells", b->cells);
-    if (b->cells > b->cell_room) {
-        b->cell_room = b->cells + b->cells / 2;
-        b->tree = realloc(b->tree, b->cell_room * sizeof *b->tree);
-        KW_NEED(b->tree, "memory for %zu cells", b->cell_room);
+    t->count = 0;
+    if (parent && !all_cut_off(t->is, local)) {
+        refine_table(parent, child, local, t);
+        truncate_table(t, local);
+        drop_zeros(t, local);
     }
-    return first;
+    t->carried = t->count;
+    t->row = grown(t->row, &t->row_room, 1, sizeof *t->row); /* to be copied from */
+    add_active(t, local);
 }
 
-/* Adds what lies below a cell to the tree. t[level] is the table of the cell; `before` counts
-   the HB-splines on it. */
-static void descend(kw_hier *b, int level, const int *cell, size_t at, table *t,
+/* Fills the node of a cell and all below it; `child` is its number among its parent's children,
+   `before` counts the HB-splines of coarser levels on it. t: a table for each level. */
+static void descend(kw_hier *b, int node, int level, int child, const int *cell, table *t,
                     int before)
 {
     const kw_mesh *m = b->active->mesh;
-    int is[KW_ACTIVE_LOCAL], children = 1 << m->D, local = b->active->local;
-    size_t first;
-    kw_twoscale s;
+    int local = b->active->local, first = b->tree->node[node].child;
 
-    if (!kw_mesh_refined(m, level, cell)) {
-        add_leaf(b, level, cell, &t[level], at);
+    kw_active_of_cell(b->active, level, cell, t[level].is);
+    before += remember_own(b, node, t[level].is);
+    fill_table(level > 0 ? &t[level - 1] : NULL, child, local, &t[level]);
+    if (first < 0) {
+        remember_leaf(b, node, level, cell, &t[level]);
         b->most = before > b->most ? before : b->most;
         return;
     }
-    first = add_cells(b, (size_t)children);
-    b->tree[at] = (int)first;
-    for (int c = 0; c < children; c++) {
-        int child[D_MOST] = {0}, added;
+    kw_twoscale_of_cell(m, level, cell, &t[level].halves);
+    for (int c = 0; c < 1 << m->D; c++) {
+        int at[D_MOST] = {0};
 
         for (int h = 0; h < m->D; h++)
-            child[h] = 2 * cell[h] + (c >> h & 1);
-        kw_twoscale_between(m, level, cell, child, &s);
-        kw_active_of_cell(b->active, level + 1, child, is);
-        carry_rows(&t[level], local, &s, is, &t[level + 1]);
-        added = add_active(&t[level + 1], local, is);
-        descend(b, level + 1, child, first + (size_t)c, t, before + added);
+            at[h] = 2 * cell[h] + (c >> h & 1);
+        descend(b, first + c, level + 1, c, at, t, before);
     }
 }
 
-/* Gives back what the arrays have in reserve. */
-static void give_back(kw_hier *b)
+double kw_hier_estimate(const kw_mesh *m)
 {
-    b->cell_room = b->cells;
-    b->leaf_room = b->leaves;
-    b->row_room = b->rows;
-    b->tree = realloc(b->tree, b->cells * sizeof *b->tree);
-    b->leaf = realloc(b->leaf, b->leaves * sizeof *b->leaf);
-    b->index = realloc(b->index, b->rows * sizeof *b->index);
-    b->row = realloc(b->row, b->rows * (size_t)b->active->local * sizeof *b->row);
-    KW_NEED(b->tree && b->leaf && b->index && b->row, "memory for %zu rows", b->rows);
+    double local = 1, cells = 0;
+
+    for (int h = 0; h < m->D; h++)
+        local *= m->level[0].s[h]->d + 1;
+    for (int level = 0; level < m->levels; level++)
+        cells += (double)kw_mesh_active(m, level) + 4; /* the tables of the walk down */
+    return cells * local * local * sizeof(double);
 }
 
 kw_hier *kw_hier_new(const kw_mesh *m)
 {
     kw_hier *b = kw_need_memory(1, sizeof *b);
-    table t[KW_MESH_LEVELS] = {{0, 0, NULL, NULL}};
-    int is[KW_ACTIVE_LOCAL], cell[D_MOST];
-    size_t cells = 1;
+    table *t = kw_need_memory((size_t)m->levels, sizeof *t);
+    long long cells;
 
     b->active = kw_active_new(m);
-    for (int h = 0; h < m->D; h++)
-        cells *= (size_t)m->level[0].cells[h];
-    add_cells(b, cells);
-    for (size_t i = 0; i < cells; i++) {
-        kw_mesh_multi(m, 0, i, cell);
-        kw_active_of_cell(b->active, 0, cell, is);
-        t[0].count = 0;
-        descend(b, 0, cell, i, t, add_active(&t[0], b->active->local, is));
+    b->tree = kw_celltree_new(b->active->mesh);
+    b->leaf = kw_need_memory((size_t)b->tree->leaves, sizeof *b->leaf);
+    b->own = kw_need_memory((size_t)b->tree->nodes, sizeof *b->own);
+    free(kw_mesh_cells(m, 0, &cells));
+    for (int i = 0; i < (int)cells; i++) {
+        int cell[D_MOST];
+
+        kw_mesh_multi(m, 0, (uint64_t)i, cell);
+        descend(b, i, 0, 0, cell, t, 0);
     }
-    for (int l = 0; l < KW_MESH_LEVELS; l++) {
+    for (int l = 0; l < m->levels; l++) {
         free(t[l].index);
         free(t[l].row);
+        free(t[l].work);
     }
-    give_back(b);
+    free(t);
+    b->index = cut(b->index, &b->index_room, b->indices, sizeof *b->index);
+    b->row = cut(b->row, &b->row_room, b->numbers, sizeof *b->row);
+    b->own_index = cut(b->own_index, &b->own_index_room, b->owns, sizeof *b->own_index);
+    b->own_place = cut(b->own_place, &b->own_place_room, b->owns, sizeof *b->own_place);
     return b;
 }
 
@@ -195,11 +264,14 @@ void kw_hier_free(kw_hier *b)
 {
     if (!b)
         return;
+    kw_celltree_free(b->tree);
     kw_active_free(b->active);
-    free(b->tree);
     free(b->leaf);
     free(b->index);
     free(b->row);
+    free(b->own);
+    free(b->own_index);
+    free(b->own_place);
     free(b);
 }
 
@@ -208,25 +280,36 @@ static size_t map_bytes(const kw_map *m)
     return sizeof *m + m->room * (sizeof *m->key + sizeof *m->value);
 }
 
-size_t kw_hier_bytes(const kw_hier *b)
+static size_t mesh_bytes(const kw_mesh *m)
 {
-    const kw_mesh *m = b->active->mesh;
-    size_t local = (size_t)b->active->local,
-           bytes = sizeof *b + sizeof *b->active + sizeof *m;
+    size_t bytes = sizeof *m;
 
-    bytes += b->cell_room * sizeof *b->tree + b->leaf_room * sizeof *b->leaf;
-    bytes += b->row_room * (sizeof *b->index + local * sizeof *b->row);
-    bytes += (size_t)b->active->size * sizeof *b->active->flat;
     for (int l = 0; l < m->levels; l++) {
         const kw_mesh_level *level = &m->level[l];
 
-        bytes +=
-            sizeof *level + map_bytes(level->refined) + map_bytes(b->active->status[l]);
-        bytes += (size_t)level->room * sizeof *level->list;
+        bytes += sizeof *level + map_bytes(level->refined) +
+                 (size_t)level->room * sizeof *level->list;
         for (int h = 0; h < m->D; h++)
             bytes += (size_t)level->s[h]->n * (sizeof(double) + sizeof(int)) +
                      (size_t)level->cells[h] * sizeof(int);
     }
+    return bytes;
+}
+
+size_t kw_hier_bytes(const kw_hier *b)
+{
+    const kw_active *a = b->active;
+    size_t bytes = sizeof *b + sizeof *a + mesh_bytes(a->mesh);
+
+    bytes += (size_t)a->size * sizeof *a->flat;
+    for (int l = 0; l < a->mesh->levels; l++)
+        bytes += map_bytes(a->status[l]);
+    bytes += sizeof *b->tree + (size_t)b->tree->room * sizeof *b->tree->node;
+    bytes += (size_t)b->tree->leaves * sizeof *b->leaf;
+    bytes += b->index_room * sizeof *b->index + b->row_room * sizeof *b->row;
+    bytes += (size_t)b->tree->nodes * sizeof *b->own;
+    bytes += b->own_index_room * sizeof *b->own_index +
+             b->own_place_room * sizeof *b->own_place;
     return bytes;
 }
 
@@ -263,170 +346,146 @@ static void local_values(const kw_mesh *m, int level, const int *span, const int
     }
 }
 
-/* The way down to x: the cell of level 0, and, from a cell on level `level` - 1, the half of
-   each direction that holds x. */
-static void first_cell(const kw_mesh *m, const double *x, int *cell)
+void kw_hier_local(const kw_hier *b, int leaf, const int *r, const double *x,
+                   double *value)
 {
-    for (int h = 0; h < m->D; h++)
-        cell[h] = m->level[0].edge[h][kw_bspline_span(m->level[0].s[h], x[h])];
-}
+    const kw_hier_leaf *l = &b->leaf[leaf];
 
-static void next_cell(const kw_mesh *m, int level, const double *x, int *cell)
-{
-    const kw_mesh_level *l = &m->level[level];
-
-    for (int h = 0; h < m->D; h++) {
-        int left = 2 * cell[h];
-
-        cell[h] = left + (x[h] >= l->s[h]->t[l->span[h][left] + 1]);
-    }
-}
-
-static const kw_hier_leaf *find_leaf(const kw_hier *b, const double *x)
-{
-    const kw_mesh *m = b->active->mesh;
-    int cell[D_MOST] = {0}, level = 0, at;
-
-    first_cell(m, x, cell);
-    at = b->tree[kw_mesh_flat(m, 0, cell)];
-    while (at >= 0) {
-        int child = 0;
-
-        next_cell(m, ++level, x, cell);
-        for (int h = 0; h < m->D; h++)
-            child |= (cell[h] & 1) << h;
-        at = b->tree[at + child];
-    }
-    return &b->leaf[-1 - at];
-}
-
-/* What is done with each function that may not be zero at a point. */
-typedef void use_function(void *target, int index, double value);
-
-static void for_thb(const kw_hier *b, const int *r, const double *x, use_function *use,
-                    void *target)
-{
-    const kw_hier_leaf *l = find_leaf(b, x);
-    int local = b->active->local;
-    double value[KW_ACTIVE_LOCAL];
-
+    KW_NEED(0 <= leaf && leaf < b->tree->leaves, "cell %d, not in 0 .. %d", leaf,
+            b->tree->leaves - 1);
     local_values(b->active->mesh, l->level, l->span, r, x, value);
-    for (int i = 0; i < l->count; i++) {
-        const double *row = b->row + (l->first + (size_t)i) * (size_t)local;
-        double sum = 0;
-
-        for (int f = 0; f < local; f++) /* NOLINTNEXTLINE: local_values sets `local` */
-            sum += row[f] * value[f];
-        use(target, b->index[l->first + (size_t)i], sum);
-    }
 }
 
-static void for_hb(const kw_hier *b, const int *r, const double *x, use_function *use,
-                   void *target)
+/* The THB-splines at x, as kw_hier_at. */
+static int thb_at(const kw_hier *b, const int *r, const double *x, int *index,
+                  double *restrict value)
+{
+    int leaf = kw_celltree_leaf(b->tree, x), own = 0;
+    const kw_hier_leaf *l = &b->leaf[leaf];
+    const kw_hier_own *owns = &b->own[l->node];
+    const double *row = b->row + l->row;
+    double of_cell[KW_ACTIVE_LOCAL];
+
+    kw_hier_local(b, leaf, r, x, of_cell);
+    memcpy(index, b->index + l->index, (size_t)l->carried * sizeof *index);
+    memcpy(index + l->carried, b->own_index + owns->first,
+           (size_t)owns->count * sizeof *index);
+    memset(value, 0, (size_t)l->carried * sizeof *value);
+    for (int f = 0; f < b->active->local; f++) {
+        if (own < owns->count && b->own_place[owns->first + (size_t)own] == f) {
+            value[l->carried + own++] = of_cell[f];
+            continue;
+        }
+        for (int i = 0; i < l->carried; i++) /* NOLINTNEXTLINE: all of of_cell is set */
+            value[i] += of_cell[f] * row[i];
+        row += l->carried;
+    }
+    return l->carried + owns->count;
+}
+
+/* The HB-splines at x, as kw_hier_at: those of every level on the way down. */
+static int hb_at(const kw_hier *b, const int *r, const double *x, int *index,
+                 double *value)
 {
     const kw_mesh *m = b->active->mesh;
-    double value[KW_ACTIVE_LOCAL];
-    int is[KW_ACTIVE_LOCAL], cell[D_MOST] = {0}, span[D_MOST] = {0}, level = 0;
+    int cell[D_MOST] = {0}, span[D_MOST] = {0}, count = 0;
+    int node = kw_celltree_root(b->tree, x, cell);
+    double of_cell[KW_ACTIVE_LOCAL];
 
-    first_cell(m, x, cell);
-    for (;;) {
+    for (int level = 0;; level++) {
+        const kw_hier_own *own = &b->own[node];
+
         for (int h = 0; h < m->D; h++)
             span[h] = m->level[level].span[h][cell[h]];
-        local_values(m, level, span, r, x, value);
-        kw_active_of_cell(b->active, level, cell, is);
-        for (int f = 0; f < b->active->local; f++)
-            if (is[f] >= KW_ACTIVE_FIRST) /* NOLINTNEXTLINE: as above */
-                use(target, is[f] - KW_ACTIVE_FIRST, value[f]);
-        if (!kw_mesh_refined(m, level, cell))
-            return;
-        next_cell(m, ++level, x, cell);
+        if (own->count > 0)
+            local_values(m, level, span, r, x, of_cell);
+        for (int i = 0; i < own->count; i++) {
+            index[count] = b->own_index[own->first + (size_t)i];
+            value[count++] = of_cell[b->own_place[own->first + (size_t)i]];
+        }
+        if (b->tree->node[node].child < 0)
+            return count;
+        node = kw_celltree_below(b->tree, node, x, cell);
     }
-}
-
-static void for_kind(const kw_hier *b, kw_hier_kind kind, const int *r, const double *x,
-                     use_function *use, void *target)
-{
-    if (kind == KW_THB)
-        for_thb(b, r, x, use, target);
-    else
-        for_hb(b, r, x, use, target);
-}
-
-typedef struct list {
-    int count, *index;
-    double *value;
-} list;
-
-static void append(void *target, int index, double value)
-{
-    list *l = target;
-
-    l->index[l->count] = index;
-    l->value[l->count++] = value;
 }
 
 int kw_hier_at(const kw_hier *b, kw_hier_kind kind, const int *r, const double *x,
                int *index, double *value)
 {
-    list l = {0, index, value};
-
-    for_kind(b, kind, r, x, append, &l);
-    return l.count;
+    return kind == KW_THB ? thb_at(b, r, x, index, value) : hb_at(b, r, x, index, value);
 }
 
-typedef struct sum {
-    int N;
-    const double *c;
-    double *point;
-} sum;
-
-static void accumulate(void *target, int index, double value)
+/* Where an index stands among `count` ascending ones, or -1. */
+static int column_of(int i, int count, const int *index)
 {
-    const sum *s = target;
+    int low = 0, high = count;
 
-    for (int a = 0; a < s->N; a++)
-        s->point[a] += value * s->c[(size_t)index * (size_t)s->N + (size_t)a];
+    while (low < high) {
+        int middle = (low + high) / 2;
+
+        if (index[middle] < i)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < count && index[low] == i ? low : -1;
 }
 
-void kw_hier_point(const kw_hier *b, kw_hier_kind kind, int N, const double *c,
-                   const int *r, const double *x, double *point)
+static double thb_one(const kw_hier *b, int i, const int *r, const double *x)
 {
-    sum s = {N, c, point};
+    int leaf = kw_celltree_leaf(b->tree, x), column, own = 0;
+    const kw_hier_leaf *l = &b->leaf[leaf];
+    const kw_hier_own *owns = &b->own[l->node];
+    const unsigned short *place = b->own_place + owns->first;
+    const double *row = b->row + l->row;
+    double of_cell[KW_ACTIVE_LOCAL], value = 0;
 
-    KW_NEED(N >= 1, "N = %d", N);
-    for (int a = 0; a < N; a++)
-        point[a] = 0;
-    for_kind(b, kind, r, x, accumulate, &s);
+    kw_hier_local(b, leaf, r, x, of_cell);
+    column = column_of(i, owns->count, b->own_index + owns->first);
+    if (column >= 0)
+        return of_cell[place[column]];
+    column = column_of(i, l->carried, b->index + l->index);
+    for (int f = 0; column >= 0 && f < b->active->local; f++) {
+        if (own < owns->count && place[own] == f) {
+            own++;
+            continue;
+        }
+        value += of_cell[f] * row[column]; /* NOLINT: all of of_cell is set */
+        row += l->carried;
+    }
+    return value;
 }
 
-void kw_hier_point_many(const kw_hier *b, kw_hier_kind kind, int N, const double *c,
-                        const int *r, int count, const double *x, double *point)
+static double hb_one(const kw_hier *b, int i, const int *r, const double *x)
 {
-    for (int i = 0; i < count; i++)
-        kw_hier_point(b, kind, N, c, r, x + (size_t)i * (size_t)b->active->mesh->D,
-                      point + (size_t)i * (size_t)N);
-}
+    const kw_mesh *m = b->active->mesh;
+    int cell[D_MOST] = {0}, j[D_MOST], level;
+    int node = kw_celltree_root(b->tree, x, cell);
+    double value = 1;
 
-typedef struct one {
-    int index;
-    double value;
-} one;
+    kw_active_function(b->active, i, &level, j);
+    for (int l = 0; l < level; l++) {
+        if (b->tree->node[node].child < 0)
+            return 0; /* x is not in Omega^level */
+        node = kw_celltree_below(b->tree, node, x, cell);
+    }
+    for (int h = 0; h < m->D; h++) {
+        const kw_bspline *s = m->level[level].s[h];
+        int span = m->level[level].span[h][cell[h]], of_span = j[h] - (span - s->d);
+        double factor[K];
 
-static void pick(void *target, int index, double value)
-{
-    one *o = target;
-
-    if (index == o->index)
-        o->value = value;
+        if (of_span < 0 || of_span > s->d)
+            return 0;
+        univariate(s, span, r ? r[h] : 0, x[h], factor);
+        value *= factor[of_span];
+    }
+    return value;
 }
 
 double kw_hier_one(const kw_hier *b, kw_hier_kind kind, int i, const int *r,
                    const double *x)
 {
-    one o = {i, 0};
-
     KW_NEED(0 <= i && i < b->active->size, "function %d, not in 0 .. %d", i,
             b->active->size - 1);
-    for_kind(b, kind, r, x, pick, &o);
-    return o.value;
+    return kind == KW_THB ? thb_one(b, i, r, x) : hb_one(b, i, r, x);
 }

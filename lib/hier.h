@@ -10,40 +10,56 @@
      x    a point of the domain, x[0..D-1]; the domain is closed; at an inner edge of cells
           derivatives that jump are those from behind the edge, at the right end from within
      r    orders of derivatives, r[0..D-1] >= 0; NULL for the value
-     c    coefficients, size x N, row-major: c_j^l stands at the index i of its function.
-          [source text, (19), with the level that it leaves out]
 
    Every active cell keeps what a point in it needs: its THB-splines as combinations of its
-   local functions. A point costs the way down to its cell and one product for each of them. */
+   local functions. A point costs the way down to its cell and, for each function there, one
+   product with the local values; for HB-splines the local values on every level of the way
+   that has active functions there. Geometries: hierpieces.h. */
 #ifndef KW_HIER_H
 #define KW_HIER_H
 
 #include "active.h"
+#include "celltree.h"
 
 typedef enum kw_hier_kind { KW_HB, KW_THB } kw_hier_kind;
 
-/* An active cell. */
+/* An active cell. THB-splines of coarser levels that are not zero on it, `carried` of them,
+   have the indices b->index[index ..], ascending; b->row[row ..] are their coefficients in those
+   local functions of the cell that are not active: (local - own.count) x carried. In the active
+   ones they have none, these are THB-splines themselves (b->own[node]). */
 typedef struct kw_hier_leaf {
     int level;
     int span[KW_TENSOR_D]; /* its knot spans */
-    int count;             /* THB-splines that are not zero on it */
-    size_t first;          /* where their rows begin */
+    int node;              /* of the tree */
+    int carried;
+    size_t index, row;
 } kw_hier_leaf;
+
+/* The active functions among the local ones of a cell: b->own_index and b->own_place [first ..
+   first+count-1], the latter being their numbers as local functions, ascending. */
+typedef struct kw_hier_own {
+    int count;
+    size_t first;
+} kw_hier_own;
 
 typedef struct kw_hier {
     kw_active *active; /* functions and mesh; owned, as all that follows */
-    int most;          /* HB-splines that are not zero on one cell, at most; there are
-                          never more THB-splines */
-    int *tree; /* cells: first those of level 0 in the order of flat indices; the entry
-                          of a cell is the place of its 2^D children, which run fastest in
-                          direction 0, or -1 - leaf */
-    size_t cells, cell_room;
-    kw_hier_leaf *leaf;
-    size_t leaves, leaf_room;
-    int *index;  /* of row r: a function */
-    double *row; /* row r: its coefficients in the local functions of the cell */
-    size_t rows, row_room;
+    kw_celltree *tree;
+    int most;           /* HB-splines that are not zero on one cell, at most; there are
+                           never more THB-splines */
+    kw_hier_leaf *leaf; /* tree->leaves */
+    int *index;         /* of all leaves together */
+    double *row;        /* the same */
+    size_t indices, index_room, numbers, row_room;
+    kw_hier_own *own; /* tree->nodes */
+    int *own_index;
+    unsigned short *own_place;
+    size_t owns, own_index_room, own_place_room;
 } kw_hier;
+
+/* The bytes that kw_hier_new needs on this mesh, roughly, before it begins: active cells times
+   the square of their local functions. */
+double kw_hier_estimate(const kw_mesh *m);
 
 /* Time and memory are linear in the number of cells and active functions. The caller frees.
    Never NULL. */
@@ -62,12 +78,9 @@ int kw_hier_at(const kw_hier *b, kw_hier_kind kind, const int *r, const double *
 double kw_hier_one(const kw_hier *b, kw_hier_kind kind, int i, const int *r,
                    const double *x);
 
-/* The geometry sum over i of c_i times function i at x: point[0..N-1]. */
-void kw_hier_point(const kw_hier *b, kw_hier_kind kind, int N, const double *c,
-                   const int *r, const double *x, double *point);
-
-/* The same at many points: x is count x D, point is count x N. Nothing is allocated. */
-void kw_hier_point_many(const kw_hier *b, kw_hier_kind kind, int N, const double *c,
-                        const int *r, int count, const double *x, double *point);
+/* The local functions of an active cell at x in it: value, prod (d_h+1), in the order of
+   kw_tensor_basis; 0 <= leaf < b->tree->leaves. */
+void kw_hier_local(const kw_hier *b, int leaf, const int *r, const double *x,
+                   double *value);
 
 #endif

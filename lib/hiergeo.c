@@ -20,17 +20,18 @@ static void local_coefficients(const kw_hier *b, const kw_mesh *spaces, kw_hier_
 
     memset(local, 0, (size_t)size * sizeof *local);
     for (int l = 0; l <= level; l++) {
-        int here[D_MOST], parent[D_MOST];
+        int here[D_MOST], parent[D_MOST], child = 0;
 
         for (int h = 0; h < spaces->D; h++) {
             here[h] = cell[h] >> (level - l);
             parent[h] = here[h] >> 1;
+            child |= (here[h] & 1) << h;
         }
         if (l > 0) {
             kw_twoscale s;
 
-            kw_twoscale_between(spaces, l - 1, parent, here, &s);
-            kw_twoscale_apply(&s, size, local, work);
+            kw_twoscale_of_cell(spaces, l - 1, parent, &s);
+            kw_twoscale_apply(&s, child, size, local, work);
         }
         if (l >= active->mesh->levels)
             continue; /* no function of this level is active */

@@ -1,4 +1,4 @@
-/* twoscale.h -- from the local functions of a cell to those of one of its children.
+/* twoscale.h -- from the local functions of a cell to those of its children.
 
    On a cell of level l a spline of V^l is a combination of the local functions of the cell;
    on a child it is one of the child's local functions, which belong to V^{l+1}. The new
@@ -11,17 +11,18 @@
 
 typedef struct kw_twoscale {
     int D, k[KW_TENSOR_D]; /* directions, orders */
-    double a[KW_TENSOR_D]
-            [(KW_BSPLINE_DEGREE + 1) * (KW_BSPLINE_DEGREE + 1)]; /* k x k: row
-                              = new local function, column = old one */
+    double a[KW_TENSOR_D][2]
+            [(KW_BSPLINE_DEGREE + 1) * (KW_BSPLINE_DEGREE + 1)]; /* for the first and the
+                             second half: k x k, row = new local function, column = old one */
 } kw_twoscale;
 
-/* Fills s for a cell of `level` and one of its children, a cell of level+1. */
-void kw_twoscale_between(const kw_mesh *m, int level, const int *cell, const int *child,
-                         kw_twoscale *s);
+/* Fills s for the halves of a cell of `level`, one level above the last at most. */
+void kw_twoscale_of_cell(const kw_mesh *m, int level, const int *cell, kw_twoscale *s);
 
-/* Changes coefficients c in place: `size` numbers, prod k_h x N, row-major, the last direction
-   before N fastest. `work` has as many. */
-void kw_twoscale_apply(const kw_twoscale *s, int size, double *c, double *work);
+/* Changes coefficients c in place to those on a child, the second half in direction h if bit h
+   of `child` is set: `size` numbers, prod k_h x N, row-major, the last direction before N
+   fastest. `work` has as many. */
+void kw_twoscale_apply(const kw_twoscale *s, int child, int size, double *restrict c,
+                       double *restrict work);
 
 #endif

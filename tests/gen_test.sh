@@ -103,6 +103,22 @@ printf 'degree 1\nknots 0 0 1 1\nrefine 0 0 1\nrefine 1 0 2\n' >all.mesh
 call count --mesh all.mesh
 printf 'level,active_cells,functions\n0,0,0\n1,0,0\n2,4,5\n' | same "counts where all is refined"
 
+# --- a short file that asks for too much ---
+awk 'BEGIN {
+    print "degree 15 15 15"
+    for (h = 0; h < 3; h++) {
+        printf "knots"
+        for (i = 0; i <= 36; i++)
+            printf " %d", (i < 16 ? 0 : 20 < i ? 6 : i - 15)
+        print ""
+    }
+}' >heavy.mesh
+printf 'x1,x2,x3\n1,1,1\n' >heavy.csv
+call count --mesh heavy.mesh
+printf 'level,active_cells,functions\n0,216,9261\n' | same "counts of degree 15 in space"
+call reference --mesh heavy.mesh --at heavy.csv --basis thb
+bad 1 "more memory than a machine has" 'heavy.mesh: its basis needs about 3e+10 bytes'
+
 # --- values by hand ---
 # Degree 1 on [0,1], [1,2]; the right cell is halved. Level 0 keeps the hats at 0 and at 1;
 # the hat at 2 lies in the refined part. Of level 1 the hats at 1.5 and 2 lie there (j = 3, 4).
@@ -177,6 +193,9 @@ awk 'BEGIN { print "x1,x2"; for (i = 0; i <= 16; i++) for (j = 0; j <= 16; j++)
     print i / 4 "," j / 4 }' >boxes.csv
 awk 'BEGIN { print "x1,x2,x3"; for (i = 0; i <= 6; i++) for (j = 0; j <= 6; j++)
     for (k = 0; k <= 6; k++) print i / 3 "," j / 3 "," k / 3 }' >space.csv
+# Values are promised to 1e-14. Derivatives are held to 1e-13 of the sum of their absolute values:
+# each comes from at most 3 (6d + 1) + 3 (5d + 1) + 64 < 200 roundings (tests/meshes.h), 2.2e-14 of its
+# terms; the rest is room for terms four times as large as what they leave.
 orders=1
 for name in line boxes space; do
     points=$(($(wc -l <$name.csv) - 1))

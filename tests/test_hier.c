@@ -186,47 +186,25 @@ static void slopes(const bases *q, kw_rng *r)
     free(value);
 }
 
-/* One function, a sum and many points are what the list says, to the bit. */
-static void sums(const bases *q, kw_rng *r)
+/* One function is what the list says, to the bit. */
+static void ones(const bases *q, kw_rng *r)
 {
-    enum { N = 2 };
-    double *c = room_for(N * q->size, sizeof *c),
-           *value = room_for(q->size, sizeof *value);
-    double x[PLACES * D_MOST], many[N * PLACES + GUARD], alone[N + GUARD];
+    double *value = room_for(q->size, sizeof *value), x[D_MOST];
     int order[D_MOST] = {0};
 
-    for (int i = 0; i < N * q->size; i++)
-        c[i] = test_random_in(r, -1, 1);
     for (int h = 0; h < q->w.D; h++)
         order[h] = kw_rng_below(r, 3);
-    for (int p = 0; p < PLACES; p++)
-        place(q, r, p, x + p * q->w.D);
-    for (int k = 0; k < 2; k++) {
-        kw_hier_kind kind = KIND[k];
-
-        poison(many, N * PLACES);
-        kw_hier_point_many(q->b, kind, N, c, order, PLACES, x, many);
-        CHECK(written(many, N * PLACES), "D = %d", q->w.D);
-        for (int p = 0; p < PLACES; p++) {
-            const double *at = x + p * q->w.D;
-            double sum[N] = {0};
-
-            all_at(q, kind, order, at, value);
+    for (int p = 0; p < PLACES; p++) {
+        place(q, r, p, x);
+        for (int k = 0; k < 2; k++) {
+            all_at(q, KIND[k], order, x, value);
             for (int i = 0; i < q->size; i++) {
-                double one = kw_hier_one(q->b, kind, i, order, at);
+                double one = kw_hier_one(q->b, KIND[k], i, order, x);
 
                 CHECK(one == value[i], "function %d: %.17g, %.17g", i, one, value[i]);
-                for (int a = 0; a < N; a++)
-                    sum[a] += value[i] * c[i * N + a];
             }
-            poison(alone, N);
-            kw_hier_point(q->b, kind, N, c, order, at, alone);
-            CHECK(written(alone, N) && same_bits(alone, many + N * p, N), "%d", p);
-            for (int a = 0; a < N; a++)
-                CHECK(alone[a] == sum[a], "%.17g, %.17g", alone[a], sum[a]);
         }
     }
-    free(c);
     free(value);
 }
 
@@ -245,9 +223,9 @@ static void derivatives_of_one(void)
     over_meshes(slopes);
 }
 
-static void sums_and_points(void)
+static void one_function(void)
 {
-    over_meshes(sums);
+    over_meshes(ones);
 }
 
 /* --- spans --- */
@@ -379,8 +357,7 @@ int main(void)
     test_run("hier: HB-splines are products, and truncation makes nothing larger",
              products_and_order);
     test_run("hier: derivatives of all orders add up to zero", derivatives_of_one);
-    test_run("hier: one function, sums and many points are what the list says",
-             sums_and_points);
+    test_run("hier: one function is what the list says", one_function);
     test_run("hier: both bases are independent and span the same space", spans_agree);
     test_run("hier: refined nowhere or everywhere they are the tensor product",
              tensor_products);

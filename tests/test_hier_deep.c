@@ -69,7 +69,7 @@ static void bases_are_what_they_should(void)
           kw_active_kraft(m));
     for (int level = 0; level < LEVELS; level++)
         cells += kw_mesh_active(m, level);
-    CHECK((long long)b->leaves == cells, "%zu leaves, %lld cells", b->leaves, cells);
+    CHECK(b->tree->leaves == cells, "%d leaves, %lld cells", b->tree->leaves, cells);
     for (int p = 0; p < PLACES; p++) {
         double x[2], sum = 0;
         int count;
@@ -103,8 +103,8 @@ static void memory_follows_the_functions(void)
         kw_hier *b = kw_hier_new(m);
 
         each[i] = (double)kw_hier_bytes(b) / b->active->size;
-        CHECK(kw_hier_bytes(b) >= b->rows * (size_t)b->active->local * sizeof(double),
-              "%zu bytes", kw_hier_bytes(b));
+        CHECK(kw_hier_bytes(b) >= b->numbers * sizeof(double), "%zu bytes",
+              kw_hier_bytes(b));
         kw_hier_free(b);
         kw_mesh_free(m);
     }
@@ -118,7 +118,7 @@ static kw_hier *small(void)
     return kw_hier_new(kw_mesh_new(meshes_uniform(2, 2, 3)));
 }
 
-static const double INSIDE[] = {1, 1}, NONE[64] = {0};
+static const double INSIDE[] = {1, 1};
 
 static void function_beyond(void)
 {
@@ -135,9 +135,10 @@ static void evaluate(kw_hier_kind kind, double x, double y, int order)
 {
     const double at[] = {x, y};
     const int orders[] = {0, order};
-    double point[1];
+    int index[9];
+    double value[9];
 
-    kw_hier_point(small(), kind, 1, NONE, orders, at, point);
+    kw_hier_at(small(), kind, orders, at, index, value);
 }
 
 static void beyond_thb(void)
@@ -160,11 +161,11 @@ static void negative_order(void)
     evaluate(KW_HB, 1, 1, -1);
 }
 
-static void no_coordinate(void)
+static void cell_beyond(void)
 {
-    double point[1];
+    double value[9];
 
-    kw_hier_point(small(), KW_THB, 0, NONE, NULL, INSIDE, point);
+    kw_hier_local(small(), 9, NULL, INSIDE, value);
 }
 
 static void misuse_aborts(void)
@@ -175,7 +176,7 @@ static void misuse_aborts(void)
     test_aborts("x = -0.5 outside the domain [0, 3]", beyond_hb);
     test_aborts("x = nan outside the domain", nowhere);
     test_aborts("derivative -1", negative_order);
-    test_aborts("N = 0", no_coordinate);
+    test_aborts("cell 9, not in 0 .. 8", cell_beyond);
 }
 
 static void nothing_may_be_freed(void)

@@ -1,5 +1,6 @@
 /* Coefficients of hierarchical splines: on cells, on finer meshes, of polynomials, and the weights
    of HB-splines. The bounds are counts of roundings (meshes.h). */
+#include "geometry.h"
 #include "hiergeo.h"
 #include "meshes.h"
 #include "spline.h"
@@ -61,7 +62,7 @@ static double total(const kw_hier *b, kw_hier_kind kind, const double *x)
 
     for (int i = 0; i < b->active->size; i++)
         one[i] = 1;
-    kw_hier_point(b, kind, 1, one, NULL, x, &sum);
+    geometry_at(b, kind, 1, one, NULL, x, &sum);
     free(one);
     return sum;
 }
@@ -118,7 +119,7 @@ static void locals(const bases *q, kw_rng *r)
                 poison(coefficient, N * local);
                 kw_hiergeo_local(q->b, KIND[k], N, c, fine, at, coefficient);
                 CHECK(written(coefficient, N * local), "level %d", fine);
-                kw_hier_point(q->b, KIND[k], N, c, NULL, x, want);
+                geometry_at(q->b, KIND[k], N, c, NULL, x, want);
                 for (int a = 0; a < N; a++) {
                     double got = 0;
 
@@ -178,8 +179,8 @@ static void check_refined(const bases *q, const bases *fine, kw_rng *r, const do
         random_place(r, &q->w, x);
         for (int h = 0; h < q->w.D && p % 2; h++)
             order[h] = kw_rng_below(r, 3);
-        kw_hier_point(q->b, KW_THB, 1, c, order, x, &a);
-        kw_hier_point(fine->b, KW_THB, 1, out, order, x, &b);
+        geometry_at(q->b, KW_THB, 1, c, order, x, &a);
+        geometry_at(fine->b, KW_THB, 1, out, order, x, &b);
         most = bound(n + q->b->most + fine->b->most,
                      terms_at(q->w.mesh, order, x) + terms_at(m, order, x));
         CHECK(fabs(a - b) <= most, "D = %d, orders %d, %d, %d: %.17g, %.17g", q->w.D,
@@ -255,7 +256,7 @@ static void monomial(const bases *q, kw_rng *r)
         for (int h = 0; h < q->w.D; h++)
             for (int k = 0; k < m->level[0].s[h]->d; k++)
                 want *= x[h];
-        kw_hier_point(q->b, KW_THB, 1, c, NULL, x, &got);
+        geometry_at(q->b, KW_THB, 1, c, NULL, x, &got);
         CHECK(fabs(got - want) <=
                   bound(truncated_roundings(m) + q->b->most + 2 * degrees, largest),
               "D = %d: %.17g, %.17g", q->w.D, got, want);
@@ -292,7 +293,7 @@ static void weights(const bases *q, kw_rng *r)
     }
     for (int p = 0; p < PLACES; p++) {
         random_place(r, &q->w, x);
-        kw_hier_point(q->b, KW_HB, 1, w, NULL, x, &sum);
+        geometry_at(q->b, KW_HB, 1, w, NULL, x, &sum);
         CHECK(fabs(sum - 1) <= (off + bound(product_roundings(m) + q->b->most, 1)) *
                                    total(q->b, KW_HB, x),
               "D = %d: 1 + %g", q->w.D, sum - 1);

@@ -10,7 +10,7 @@ do for [row=1:2] {
     set xtics 1.0 / (row == 1 ? 3 : 4) format "%.2f"
     do for [col=1:2] {
         set title TITLE[row].(col == 1 ? ": HB-splines" : ": times their weights")
-        plot data index NAME[row] using 1:(column(1+col)):($4 == 0 ? 0x0072b2 : 0xd55e00) with lines lw 2 lc rgb variable
+        plot for [l=0:1] data index NAME[row] using 1:($4 == l ? column(1+col) : NaN) with lines ls 11+l
     }
 }
 unset multiplot

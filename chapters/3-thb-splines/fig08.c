@@ -1,7 +1,7 @@
 /* Figure 8 -- The HB basis of degree 2 on two levels.
 
-   What to see: of the coarse functions (a) those remain that reach out of the red domain (c); of
-   the fine ones (b) those that live in it (d); together they are the HB basis (e).
+   What to see: of the coarse functions (a) those remain that reach out of the refined domain
+   (c); of the fine ones (b) those that live in it (d); together they are the HB basis (e).
 
    Book: section 1.1, Definition 4, (13), (14).
    Claims: hb.fig8.*
@@ -59,6 +59,20 @@ static int interior_knots(const kw_bspline *s)
     return s->n - s->d - 1;
 }
 
+/* Functions of the basis that a panel with the active functions of one level leaves out. */
+static int left_out(const kw_active *a, int shown)
+{
+    int count = 0;
+
+    for (int i = 0; i < a->size; i++) {
+        int level, j;
+
+        kw_active_function(a, i, &level, &j);
+        count += level != shown;
+    }
+    return count;
+}
+
 int main(void)
 {
     kw_out *f = kw_out_data("fig08"), *report = kw_claim_new("fig08");
@@ -83,7 +97,7 @@ int main(void)
     kw_claim_count(report, "hb.fig8.active.coarse", coarse);
     kw_claim_count(report, "hb.fig8.active.fine", fine);
     kw_claim_count(report, "hb.fig8.basis", both);
-    kw_claim_true(report, "hb.fig8.panel-d", fine == both);
+    kw_claim_count(report, "hb.fig8.panel-d", left_out(a, 1));
 
     kw_active_free(a);
     kw_mesh_free(m);

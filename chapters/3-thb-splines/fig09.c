@@ -1,8 +1,8 @@
 /* Figure 9 -- The same refinement by tensor products and by a hierarchy.
 
    What to see: left the smallest tensor-product mesh that has all knot lines of the mesh on the
-   right, with one dot a function below each; the hierarchy puts its functions where they are
-   wanted, the tensor product in the whole cross of rows and columns.
+   right, below each a mark at the Greville point of every function; the hierarchy puts its
+   functions where they are wanted, the tensor product in the whole cross of rows and columns.
 
    Book: section 1.1, the text around Figure 9.
    Claims: hb.fig9.*
@@ -14,7 +14,7 @@
 #include "hier.h"   /* the basis */
 #include "meshes.h" /* the mesh to begin with, cells for the picture */
 #include "out.h"    /* columns for gnuplot */
-#include "../2-tensor-product/picture.h" /* the lines of a tensor-product mesh */
+#include "../2-tensor-product/picture.h" /* a tensor-product mesh */
 #include <stdlib.h>
 
 enum { DEGREE = 2, CELLS = 8, FIRST = 4, LAST = 5, BAND = 9, LEVELS = 3 };
@@ -73,6 +73,20 @@ static void write_functions(kw_out *f, const kw_active *a)
     }
 }
 
+/* How many cells and functions: a row for the tensor product, then one for each level. */
+static void write_counts(kw_out *f, const kw_tensor *g, const kw_active *a)
+{
+    kw_out_section(f, "counts", "count_cells count_functions");
+    kw_out_number(f, count_cells(g));
+    kw_out_number(f, kw_tensor_dimension(g));
+    kw_out_row(f);
+    for (int level = 0; level < LEVELS; level++) {
+        kw_out_number(f, (double)kw_mesh_active(a->mesh, level));
+        kw_out_number(f, a->start[level + 1] - a->start[level]);
+        kw_out_row(f);
+    }
+}
+
 int main(void)
 {
     static const char *const of_level[LEVELS] = {"hb.fig9.level0", "hb.fig9.level1",
@@ -83,6 +97,7 @@ int main(void)
     const kw_active *a = b->active;
     kw_tensor *g = new_tensor(m);
 
+    write_counts(f, g, a);
     write_tensor(f, g);
     write_cells(f, "cells", b, NULL);
     write_functions(f, a);

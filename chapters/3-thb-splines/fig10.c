@@ -1,8 +1,9 @@
 /* Figure 10 -- Truncation of one B-spline of degree 4.
 
-   What to see: the coarse function (dashed) is the sum of its five finer ones (thin); the two
-   that live in the red domain are left out, and the rest is the truncated function (thick),
-   which is the old one outside the domain and lower inside.
+   What to see: the coarse function (dashed) is the sum of its five finer ones (thin), each times
+   its coefficient; the two that live in Omega^1 (dotted; their supports are seen below) are left
+   out, and the rest is the truncated function (thick), which is the old one outside the domain
+   and lower inside.
 
    Book: section 1.1, Definition 5, (15).
    Claims: thb.fig10.*
@@ -65,6 +66,21 @@ static void write_children(kw_out *f, const kw_bspline *fine, int first, int cou
     }
 }
 
+/* Where the finer functions live, and their coefficients. */
+static void write_supports(kw_out *f, const kw_bspline *fine, int first, int count,
+                           const double *c, int left)
+{
+    kw_out_section(f, "supports", "number low high coefficient truncated");
+    for (int i = 0; i < count; i++) {
+        kw_out_number(f, i);
+        kw_out_number(f, fine->t[first + i]);
+        kw_out_number(f, fine->t[first + i + DEGREE + 1]);
+        kw_out_number(f, c[i]);
+        kw_out_number(f, i >= left);
+        kw_out_row(f);
+    }
+}
+
 int main(void)
 {
     static const char *const id[] = {"thb.fig10.c0", "thb.fig10.c1", "thb.fig10.c2",
@@ -82,6 +98,7 @@ int main(void)
     while (left > 0 && truncated[left - 1] == 0)
         left--;
     write_children(f, fine, first, count, c, left);
+    write_supports(f, fine, first, count, c, left);
     kw_out_section(f, "function", "x coarse truncated");
     for (int q = 0; q <= SAMPLES; q++) {
         double x = (double)CELLS * q / SAMPLES,

@@ -1,12 +1,14 @@
 /* Figure 11 -- The HB and the THB basis of the same mesh.
 
-   What to see: top, in each cell the number of functions that are not zero there: truncation
-   takes the coarse ones out of the refined region. Bottom, the functions along the dashed line:
-   coarse HB-splines run on below the fine ones, THB-splines step aside.
+   What to see: (b), (c) the functions along the dashed line of the mesh (a): coarse HB-splines run
+   on below the fine ones, THB-splines step aside. (d), (e) in each cell inside the frame the
+   number of functions that are not zero there: truncation takes the coarse ones out of the
+   refined region.
 
    Book: section 1.1, (17), (18), the text around Figure 11.
    Claims: thb.fig11.*
-   Chosen here: bi-degree (2,2) on 8 x 8 cells, refined twice towards the middle. */
+   Chosen here: bi-degree (2,2) on 8 x 8 cells, refined twice towards the middle; the
+   line and the frame. */
 
 #include "claim.h"  /* what we found, for the ledger */
 #include "hier.h"   /* both bases */
@@ -87,25 +89,33 @@ static int overlaps(const kw_hier *b, kw_hier_kind kind, long long *sum)
     return most;
 }
 
-/* Every function that is not zero on the line, as a curve. */
+static void write_point(kw_out *f, int q, double value, int level)
+{
+    kw_out_number(f, (double)q / SAMPLES);
+    kw_out_number(f, value);
+    kw_out_number(f, level);
+    kw_out_row(f);
+}
+
+/* Every function that is not zero on the line, as a curve from zero to zero. */
 static void write_line(kw_out *f, const char *name, const kw_hier *b, kw_hier_kind kind)
 {
     kw_out_section(f, name, "x value level");
     for (int i = 0; i < b->active->size; i++) {
         int level, j[KW_TENSOR_D], written = 0;
+        double before = 0;
 
         kw_active_function(b->active, i, &level, j);
         for (int q = 0; q <= SAMPLES; q++) {
             const double x[2] = {(double)q / SAMPLES, LINE};
             double value = kw_hier_one(b, kind, i, NULL, x);
 
-            if (value == 0)
-                continue;
-            kw_out_number(f, x[0]);
-            kw_out_number(f, value);
-            kw_out_number(f, level);
-            kw_out_row(f);
-            written = 1;
+            if (q > 0 && before == 0 && value != 0)
+                write_point(f, q - 1, before, level);
+            if (before != 0 || value != 0)
+                write_point(f, q, value, level);
+            written |= value != 0;
+            before = value;
         }
         if (written)
             kw_out_gap(f);
@@ -119,11 +129,13 @@ int main(void)
     kw_hier *b = kw_hier_new(m);
     long long sum_hb, sum_thb;
 
-    write_cells(f, "mesh", b, NULL);
     write_cells(f, "HB", b, overlap_hb);
     write_cells(f, "THB", b, overlap_thb);
     write_line(f, "HB line", b, KW_HB);
     write_line(f, "THB line", b, KW_THB);
+    kw_out_section(f, "line", "height");
+    kw_out_number(f, LINE);
+    kw_out_row(f);
 
     kw_claim_count(report, "thb.fig11.functions", b->active->size);
     kw_claim_count(report, "thb.fig11.most.hb", overlaps(b, KW_HB, &sum_hb));

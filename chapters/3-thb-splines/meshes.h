@@ -35,6 +35,24 @@ static inline void refine_cell(kw_mesh *m, int level, int i, int j)
     kw_mesh_refine(m, level, low, high);
 }
 
+/* Refines one or two random boxes on each of the levels 0 .. rounds-1, as far as there are
+   cells to refine. */
+static inline void refine_boxes(kw_mesh *m, kw_rng *r, int rounds)
+{
+    for (int level = 0; level < rounds && level < m->levels; level++)
+        for (int boxes = 1 + kw_rng_below(r, 2); boxes > 0; boxes--) {
+            int low[KW_TENSOR_D] = {0}, high[KW_TENSOR_D] = {0};
+
+            for (int h = 0; h < m->D; h++) {
+                int cells = m->level[level].cells[h], size = 1 + kw_rng_below(r, cells);
+
+                low[h] = kw_rng_below(r, cells - size + 1);
+                high[h] = low[h] + size;
+            }
+            kw_mesh_refine(m, level, low, high);
+        }
+}
+
 /* Sample `sample` of random meshes in D directions: degree 1 .. 3, 3 .. 6 cells, and two or
    three rounds of random boxes on ever finer levels. */
 static inline kw_mesh *random_mesh(uint64_t seed, uint64_t sample, int D)
@@ -43,18 +61,19 @@ static inline kw_mesh *random_mesh(uint64_t seed, uint64_t sample, int D)
     int degree = 1 + kw_rng_below(&r, 3), rounds = 2 + kw_rng_below(&r, 2);
     kw_mesh *m = uniform_mesh(D, degree, 3 + kw_rng_below(&r, 4));
 
-    for (int level = 0; level < rounds && level < m->levels; level++)
-        for (int boxes = 1 + kw_rng_below(&r, 2); boxes > 0; boxes--) {
-            int low[KW_TENSOR_D] = {0}, high[KW_TENSOR_D] = {0};
+    refine_boxes(m, &r, rounds);
+    return m;
+}
 
-            for (int h = 0; h < D; h++) {
-                int cells = m->level[level].cells[h], size = 1 + kw_rng_below(&r, cells);
+/* Sample `sample` of random meshes of a given degree on 8, 4 or 2 cells a direction in D = 1,
+   2 or 3, with two rounds of random boxes. Up to degree 2 the knots of a function lie a power
+   of two apart: then all that is computed on it at points with few binary digits is exact. */
+static inline kw_mesh *dyadic_mesh(uint64_t seed, uint64_t sample, int D, int degree)
+{
+    kw_rng r = kw_rng_at(seed, 1, sample, (uint64_t)D);
+    kw_mesh *m = uniform_mesh(D, degree, 16 >> D);
 
-                low[h] = kw_rng_below(&r, cells - size + 1);
-                high[h] = low[h] + size;
-            }
-            kw_mesh_refine(m, level, low, high);
-        }
+    refine_boxes(m, &r, 2);
     return m;
 }
 

@@ -1,13 +1,13 @@
 /* bench_hier.c -- what a hierarchical basis costs as levels are added along a diagonal: the
    columns should stay flat. The ratios are to the first row of each degree. */
 #include "bench.h"
-#include "hier.h"
+#include "hierpieces.h"
 #include "need.h"
 #include "rng.h"
 #include <stdio.h>
 
 /* So few points that what they need stays in the cache: the table shows work, not memory. */
-enum { CELLS = 16, POINTS = 1000, TURNS = 20, COLUMNS = 4 };
+enum { CELLS = 16, POINTS = 1000, TURNS = 20, COLUMNS = 5 };
 
 typedef struct task {
     kw_mesh *m;
@@ -15,7 +15,11 @@ typedef struct task {
     kw_hier_kind kind;
     double *x; /* POINTS x 2 */
     double *c; /* a coefficient for each function */
-    double *y; /* POINTS */
+    kw_hierpieces *p;
+    double *y;     /* POINTS */
+    int *index;    /* b->most */
+    double *value; /* b->most */
+    double found;  /* functions that are not zero, on average */
 } task;
 
 /* 16 x 16 cells, refined so many times: on every level but the last the cells with
@@ -52,13 +56,26 @@ static double build(void *with)
     return size;
 }
 
-static double evaluate(void *with)
+static double surface(void *with)
 {
     const task *t = with;
 
     for (int turn = 0; turn < TURNS; turn++)
-        kw_hier_point_many(t->b, t->kind, 1, t->c, NULL, POINTS, t->x, t->y);
+        kw_hierpieces_point_many(t->p, NULL, POINTS, t->x, t->y);
     return t->y[POINTS - 1];
+}
+
+static double functions(void *with)
+{
+    task *t = with;
+    double found = 0;
+
+    for (int turn = 0; turn < TURNS; turn++)
+        for (int p = 0; p < POINTS; p++)
+            found += kw_hier_at(t->b, t->kind, NULL, t->x + 2 * p, t->index, t->value) +
+                     0 * t->value[0];
+    t->found = found / (TURNS * POINTS);
+    return found;
 }
 
 /* Half of the points anywhere, half of them in the finest cells. */
@@ -72,7 +89,8 @@ static void choose_points(double *x)
     }
 }
 
-/* One row: time and bytes to build, per function; time of a point, THB and HB. */
+/* One row: time and bytes to build, per function; time of a surface point; time to list the
+   functions at a point, for each of them: THB, HB. */
 static int measure(int d, int times, double *column)
 {
     task t = {.m = new_diagonal(d, times)};
@@ -83,18 +101,25 @@ static int measure(int d, int times, double *column)
     t.x = kw_need_memory((size_t)2 * POINTS, sizeof *t.x);
     t.y = kw_need_memory(POINTS, sizeof *t.y);
     t.c = kw_need_memory((size_t)size, sizeof *t.c);
+    t.index = kw_need_memory((size_t)t.b->most, sizeof *t.index);
+    t.value = kw_need_memory((size_t)t.b->most, sizeof *t.value);
     for (int i = 0; i < size; i++)
         t.c[i] = i;
     choose_points(t.x);
+    t.p = kw_hierpieces_new(t.b, KW_THB, 1, t.c);
     column[0] = bench_median(build, &t) / size;
     column[1] = (double)kw_hier_bytes(t.b) / size;
+    column[2] = bench_median(surface, &t) / (POINTS * TURNS);
     t.kind = KW_THB;
-    column[2] = bench_median(evaluate, &t) / (POINTS * TURNS);
+    column[3] = bench_median(functions, &t) / (POINTS * TURNS) / t.found;
     t.kind = KW_HB;
-    column[3] = bench_median(evaluate, &t) / (POINTS * TURNS);
+    column[4] = bench_median(functions, &t) / (POINTS * TURNS) / t.found;
     free(t.x);
     free(t.y);
     free(t.c);
+    free(t.index);
+    free(t.value);
+    kw_hierpieces_free(t.p);
     kw_hier_free(t.b);
     kw_mesh_free(t.m);
     return size;
@@ -104,19 +129,21 @@ int main(void)
 {
     printf("hierarchical splines refined along a diagonal; in brackets the ratio to the "
            "first row of the degree\n"
-           "degree  times functions  build ns/function  bytes/function      "
-           "THB ns/point       HB ns/point\n");
+           "                        to build, a function:           a surface point   "
+           "a function that is not zero there\n"
+           "degree times functions       ns              bytes              ns        "
+           "   THB ns           HB ns\n");
     for (int d = 2; d <= 3; d++) {
         double first[COLUMNS] = {0}, column[COLUMNS];
 
         for (int times = 4; times <= 12; times += 2) {
             int size = measure(d, times, column);
 
-            printf("%6d %6d %9d", d, times, size);
+            printf("%6d %5d %9d", d, times, size);
             for (int i = 0; i < COLUMNS; i++) {
                 if (times == 4)
                     first[i] = column[i];
-                printf("  %8.0f (%4.2f)  ", column[i], column[i] / first[i]);
+                printf("  %8.1f (%4.2f)", column[i], column[i] / first[i]);
             }
             printf("\n");
             fflush(stdout);
