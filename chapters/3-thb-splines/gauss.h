@@ -12,12 +12,11 @@ enum { GAUSS_NODES = 4 };
    7. [Abramowitz, Stegun: Handbook of Mathematical Functions, table 25.4] */
 static inline void gauss(int nodes, double *node, double *weight)
 {
-    double x[GAUSS_NODES], w[GAUSS_NODES]; /* on [-1,1] */
+    double x[GAUSS_NODES] = {0}, w[GAUSS_NODES] = {0}; /* on [-1,1] */
 
     KW_NEED(nodes == 3 || nodes == 4, "%d nodes", nodes);
     if (nodes == 3) {
         x[2] = sqrt(3.0 / 5);
-        x[1] = 0;
         w[2] = 5.0 / 9;
         w[1] = 8.0 / 9;
     } else {
