@@ -5,6 +5,39 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* --- the table of spans ---
+
+   The domain is cut into as many equal buckets as there are spans of simple knots. A point of
+   bucket b lies in a span from before[b] to before[b+1]: before[b] is the last span that begins
+   in an earlier bucket. The bucket of a point is computed in one way alone, which never
+   decreases with x whatever the rounding, and so the table is right to the last bit. */
+
+static int bucket_of(const kw_bspline *s, double x)
+{
+    int b = (int)((x - s->t[s->d]) * s->scale);
+
+    return b < s->buckets ? b : s->buckets - 1;
+}
+
+static void make_table(kw_bspline *s)
+{
+    int span = s->d, next = s->d; /* the last span that has begun; the next to begin */
+
+    s->buckets = s->n - s->d;
+    s->scale = s->buckets / (s->t[s->n] - s->t[s->d]);
+    if (!isfinite(s->scale))
+        s->scale = 0; /* a domain of next to no length: one bucket is in use */
+    s->before = kw_need_memory((size_t)s->buckets + 1, sizeof *s->before);
+    for (int b = 0; b <= s->buckets; b++) {
+        while (next < s->n && bucket_of(s, s->t[next]) < b) {
+            span = next++;
+            while (next < s->n && s->t[next] == s->t[next + 1])
+                next++;
+        }
+        s->before[b] = span;
+    }
+}
+
 /* --- spaces --- */
 
 static void need_degree(int d)
@@ -37,6 +70,7 @@ kw_bspline *kw_bspline_new(int d, int n, const double *t)
     s->n = n;
     s->t = kw_need_memory((size_t)n + (size_t)d + 1, sizeof *s->t);
     memcpy(s->t, t, ((size_t)n + (size_t)d + 1) * sizeof *t);
+    make_table(s);
     return s;
 }
 
@@ -148,6 +182,7 @@ void kw_bspline_free(kw_bspline *s)
     if (!s)
         return;
     free(s->t);
+    free(s->before);
     free(s);
 }
 
@@ -160,10 +195,13 @@ static void need_function(const kw_bspline *s, int j)
 
 int kw_bspline_span(const kw_bspline *s, double x)
 {
-    int low = s->d, high = s->n; /* t[low] <= x < t[high], or x is the right end */
+    int low, high, b; /* t[low] <= x < t[high], or x is the right end */
 
-    KW_NEED(s->t[low] <= x && x <= s->t[high],
-            "x = %.17g outside the domain [%.17g, %.17g]", x, s->t[low], s->t[high]);
+    KW_NEED(s->t[s->d] <= x && x <= s->t[s->n],
+            "x = %.17g outside the domain [%.17g, %.17g]", x, s->t[s->d], s->t[s->n]);
+    b = bucket_of(s, x);
+    low = s->before[b];
+    high = s->before[b + 1] + 1;
     while (high - low > 1) {
         int middle = low + (high - low) / 2;
 

@@ -29,6 +29,10 @@ typedef struct kw_bspline {
     int d;     /* degree */
     int n;     /* dimension */
     double *t; /* knots, n+d+1; owned */
+    /* a table of where to look for the span of a point, see kw_bspline_span */
+    int buckets;  /* n - d */
+    double scale; /* buckets / length of the domain */
+    int *before;  /* buckets + 1; owned */
 } kw_bspline;
 
 /* --- spaces; the caller frees them; never NULL --- */
@@ -63,7 +67,8 @@ void kw_bspline_free(kw_bspline *s);
 
 /* --- knots --- */
 
-/* The span of x: t[i] <= x < t[i+1], at the right end of the domain the last span. */
+/* The span of x: t[i] <= x < t[i+1], at the right end of the domain the last span. It is looked
+   for by bisection among the few that meet the same of `buckets` equal parts of the domain. */
 int kw_bspline_span(const kw_bspline *s, double x);
 
 /* The first span on which function j is non-zero. */

@@ -78,6 +78,35 @@ static void span(const kw_bspline *s, kw_rng *r)
     }
 }
 
+/* Knots that pile up at one end, so that nearly all of them share a bucket of the table; spans
+   of next to no length; huge and tiny domains. */
+static void spans_of_graded_knots(void)
+{
+    enum { SPANS = 60 };
+    static const double ratio[] = {0.5, 2, 1e-5, 1e5, 1 - 0x1p-50},
+                        size[] = {1, 1e300, 1e-300};
+
+    for (int g = 0; g < 5; g++)
+        for (int z = 0; z < 3; z++)
+            for (int d = 0; d <= 3; d++) {
+                double tau[SPANS + 1], width = 1;
+                int L = 0;
+                kw_bspline *s;
+                kw_rng r = kw_rng_at(77, (uint64_t)g, (uint64_t)z, (uint64_t)d);
+
+                tau[0] = size[z] * -1;
+                for (int i = 1; i <= SPANS; i++, width *= ratio[g]) {
+                    double x = tau[L] + size[z] * width;
+
+                    if (x > tau[L] && x < 1e305)
+                        tau[++L] = x;
+                }
+                s = kw_bspline_new_open(d, L, tau, NULL);
+                span(s, &r);
+                kw_bspline_free(s);
+            }
+}
+
 static void local_support(const kw_bspline *s, kw_rng *r)
 {
     const double *t = s->t;
@@ -415,6 +444,8 @@ int main(void)
                     pieces_have_the_derivatives);
     run_over_spaces("bspline: derivatives on a span reach both its ends", 6,
                     left_derivatives);
+    test_run("bspline: spans of graded knots, of huge and of tiny domains",
+             spans_of_graded_knots);
     test_run("bspline: the cardinal cubic has the four known pieces", cardinal_pieces);
     return test_end();
 }
