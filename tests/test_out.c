@@ -19,7 +19,7 @@ static char folder[500]; /* a temporary one, where all tests write */
 /* The path of a file of the folder; good until the call after the next. */
 static const char *path_of(const char *name)
 {
-    static char path[2][600];
+    static char path[2][sizeof folder + 300]; /* a name has at most 255 */
     static int turn;
 
     turn = !turn;
