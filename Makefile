@@ -17,10 +17,11 @@
 # CC, OPT and BUILD choose another compiler, optimization and build folder.
 
 CC     ?= cc
-OPT    ?= -O2
+OPT    ?= -O3
 BUILD  ?= build
 ifdef SAN
 BUILD  := build/san
+OPT    := -O1
 SANITIZE := -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 endif
 
