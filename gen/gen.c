@@ -1,7 +1,8 @@
-/* gen.c -- the command line. */
+/* gen.c -- the command line: families that make sets, and commands. */
 #include "gen.h"
 #include "active.h"
 #include "meshfile.h"
+#include "set.h"
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -39,27 +40,32 @@ kw_mesh *gen_mesh(const char *path)
 
 static void print_help(void)
 {
-    printf("usage: gen COMMAND --option VALUE ...\n"
+    printf("usage: gen FAMILY --count N --out DIR [--option VALUE ...]\n"
+           "       gen verify DIR\n"
+           "       gen COMMAND --option VALUE ...\n"
            "\n"
-           "Prints what implementations of hierarchical splines can be checked against.\n"
-           "\n");
+           "Makes data sets with known ground truth, and prints what implementations of\n"
+           "hierarchical splines can be checked against.\n"
+           "\n"
+           "Families:\n");
+    for (int i = 0; i < gen_family_count; i++)
+        printf("  %-10s %s\n", gen_families[i]->name, gen_families[i]->summary);
+    printf(
+        "\n"
+        "A sample depends on the seed and its index alone: a set is the same to the "
+        "byte\n"
+        "in one piece or in many, on any machine. A call that was cut off goes on where\n"
+        "it was if it is given again.\n"
+        "\n"
+        "Commands:\n"
+        "  verify     sums, counts and splits of a set\n");
     for (int i = 0; i < COMMANDS; i++)
-        printf("  gen %-10s %s\n", commands[i]->name, commands[i]->summary);
-    printf("  gen COMMAND --help     its options, and a worked call\n"
+        printf("  %-10s %s\n", commands[i]->name, commands[i]->summary);
+    printf("\n"
+           "  gen FAMILY --help      options, and a worked call\n"
+           "  gen COMMAND --help     the same\n"
            "  gen --help             this text\n"
            "  gen --version          the version\n"
-           "\n"
-           "For example, with a mesh in two.mesh\n"
-           "\n"
-           "  degree 2\n"
-           "  knots 0 0 0 1 2 3 4 4 4\n"
-           "  refine 0  0  2\n"
-           "\n"
-           "gen count --mesh two.mesh prints\n"
-           "\n"
-           "  level,active_cells,functions\n"
-           "  0,2,4\n"
-           "  1,4,4\n"
            "\n"
            "Exit status: 0, 1 for bad input or output, 2 for a bad call.\n");
 }
@@ -117,10 +123,38 @@ static int run_command(const gen_command *c, int count, char *const *word)
     return status == GEN_GOOD ? c->run(value) : status;
 }
 
+static int run_family(const gen_family *family, int count, char *const *word)
+{
+    if (!wants_help(count, word))
+        return gen_make(family, count, word);
+    gen_call_help(family);
+    return GEN_GOOD;
+}
+
+static int run_verify(int count, char *const *word)
+{
+    if (!wants_help(count, word))
+        return gen_verify(count, word);
+    fputs(
+        "usage: gen verify DIR\n\n"
+        "Checks the set in DIR: are all shards there, have all files the sums they were "
+        "made\n"
+        "with, and are the samples in them those of their range, so that no two splits\n"
+        "share one? Names every defect; the exit status is 0 if there is none.\n",
+        stdout);
+    return GEN_GOOD;
+}
+
 static int run(int count, char *const *word)
 {
+    const gen_family *family = count > 0 ? gen_family_find(word[0]) : NULL;
+
     if (count == 0)
         return gen_say(GEN_BAD_CALL, "no command; see gen --help");
+    if (family)
+        return run_family(family, count - 1, word + 1);
+    if (strcmp(word[0], "verify") == 0)
+        return run_verify(count - 1, word + 1);
     for (int i = 0; i < COMMANDS; i++)
         if (strcmp(word[0], commands[i]->name) == 0)
             return run_command(commands[i], count - 1, word + 1);

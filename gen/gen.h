@@ -1,4 +1,5 @@
-/* gen.h -- the program gen: `gen COMMAND --option VALUE ...`, one command a file.
+/* gen.h -- the program gen: `gen FAMILY ...` makes data sets (set.h), `gen COMMAND --option VALUE
+   ...` prints reference numbers, one command a file.
 
    A command says which options it has; gen.c reads the command line and runs it. Whatever
    goes wrong is said on stderr, with the file and the line, or with the option:

@@ -1,9 +1,9 @@
 #include "out.h"
 #include "need.h"
+#include "npy.h"
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,7 +46,7 @@ kw_out *kw_out_new(const char *path)
     return f;
 }
 
-static void write_bytes(kw_out *f, const void *bytes, size_t count)
+void kw_out_bytes(kw_out *f, const void *bytes, size_t count)
 {
     errno = 0;
     if (f->error == 0 && fwrite(bytes, 1, count, f->file) != count)
@@ -66,6 +66,40 @@ void kw_out_text(kw_out *f, const char *format, ...)
     va_end(values);
 }
 
+void kw_out_begin_with(kw_out *f, const void *bytes, size_t count)
+{
+    if (f->error != 0)
+        return;
+    errno = 0;
+    if (fseek(f->file, 0, SEEK_SET) != 0)
+        note_failure(f);
+    kw_out_bytes(f, bytes, count);
+    errno = 0;
+    if (f->error == 0 && fseek(f->file, 0, SEEK_END) != 0)
+        note_failure(f);
+}
+
+int kw_out_failed(const kw_out *f)
+{
+    return f->error != 0;
+}
+
+static void forget(kw_out *f)
+{
+    free(f->path);
+    free(f->temporary);
+    free(f);
+}
+
+void kw_out_drop(kw_out *f)
+{
+    if (f->file) {
+        fclose(f->file);
+        remove(f->temporary);
+    }
+    forget(f);
+}
+
 int kw_out_close(kw_out *f)
 {
     int failed;
@@ -83,9 +117,7 @@ int kw_out_close(kw_out *f)
         if (f->file)
             remove(f->temporary);
     }
-    free(f->path);
-    free(f->temporary);
-    free(f);
+    forget(f);
     return failed;
 }
 
@@ -152,55 +184,21 @@ int kw_out_csv(const char *path, const char *header, size_t rows, size_t columns
     return kw_out_close(f);
 }
 
-/* eight bytes, the least significant first, whatever the machine's own order */
-static void write_double(kw_out *f, double value)
-{
-    unsigned char byte[8];
-    uint64_t bits;
-
-    memcpy(&bits, &value, sizeof bits);
-    for (int i = 0; i < 8; i++)
-        byte[i] = (unsigned char)(bits >> (8 * i));
-    write_bytes(f, byte, sizeof byte);
-}
-
 int kw_out_npy(const char *path, int dimensions, const size_t *shape, const double *a)
 {
-    enum { PREAMBLE = 10, ALIGNMENT = 64, LONGEST = 3 * ALIGNMENT };
-    char header[LONGEST];
-    size_t count = 1, length, total;
+    enum { PART = 512 };
+    unsigned char header[KW_NPY_HEADER], bytes[PART * sizeof *a];
     kw_out *f = kw_out_new(path);
+    size_t count = 1, length = kw_npy_header("<f8", dimensions, shape, header);
 
-    KW_NEED(1 <= dimensions && dimensions <= 4, "%s: %d dimensions", path, dimensions);
-    length = (size_t)snprintf(header, sizeof header,
-                              "{'descr': '<f8', 'fortran_order': False, 'shape': (");
-    for (int i = 0; i < dimensions; i++) {
-        length += (size_t)snprintf(header + length, sizeof header - length, "%zu%s",
-                                   shape[i], i + 1 == dimensions ? "" : ", ");
+    kw_out_bytes(f, header, length);
+    for (int i = 0; i < dimensions; i++)
         count *= shape[i];
+    for (size_t i = 0; i < count; i += PART) {
+        size_t part = count - i < PART ? count - i : PART;
+
+        kw_npy_doubles(part, a + i, bytes);
+        kw_out_bytes(f, bytes, part * sizeof *a);
     }
-    length += (size_t)snprintf(header + length, sizeof header - length, "%s), }",
-                               dimensions == 1 ? "," : "");
-
-    /* blanks, then a newline, up to the next multiple of the alignment */
-    total = (PREAMBLE + length + 1 + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-    memset(header + length, ' ', total - PREAMBLE - length);
-    length = total - PREAMBLE;
-    header[length - 1] = '\n';
-
-    const unsigned char preamble[PREAMBLE] = {0x93,
-                                              'N',
-                                              'U',
-                                              'M',
-                                              'P',
-                                              'Y',
-                                              1,
-                                              0,
-                                              (unsigned char)(length & 0xff),
-                                              (unsigned char)(length >> 8)};
-    write_bytes(f, preamble, sizeof preamble);
-    write_bytes(f, header, length);
-    for (size_t i = 0; i < count; i++)
-        write_double(f, a[i]);
     return kw_out_close(f);
 }

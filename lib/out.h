@@ -29,6 +29,19 @@ kw_out *kw_out_new(const char *path);
 void kw_out_text(kw_out *f, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* Appends bytes as they are. */
+void kw_out_bytes(kw_out *f, const void *bytes, size_t count);
+
+/* Puts bytes in place of the first ones of the file, which has at least as many; what comes next
+   is appended as before. For a header that tells how much comes behind it. */
+void kw_out_begin_with(kw_out *f, const void *bytes, size_t count);
+
+/* Has anything failed so far? For who would rather stop early than write into the void. */
+int kw_out_failed(const kw_out *f);
+
+/* Gives the file up: removes the temporary and frees f, without a word. */
+void kw_out_drop(kw_out *f);
+
 /* Completes the file and frees f. 0, or 1 after a message on stderr. Aborts in the middle of a
    row; then the `.tmp` may remain. */
 int kw_out_close(kw_out *f);

@@ -3,10 +3,21 @@
 
 enum { ROUNDS = 10 };
 
-/* high and low half of the 128-bit product a * b, from four 32-bit products */
-static void multiply(uint64_t a, uint64_t b, uint64_t *high, uint64_t *low)
+/* high and low half of the 128-bit product a * b */
+#ifdef __SIZEOF_INT128__
+__extension__ typedef unsigned __int128 product;
+
+static inline void multiply(uint64_t a, uint64_t b, uint64_t *high, uint64_t *low)
 {
-    const uint64_t mask = 0xffffffffu;
+    product p = (product)a * b;
+
+    *high = (uint64_t)(p >> 64);
+    *low = (uint64_t)p;
+}
+#else
+static inline void multiply(uint64_t a, uint64_t b, uint64_t *high, uint64_t *low)
+{
+    const uint64_t mask = 0xffffffffu; /* from four 32-bit products */
     uint64_t al = a & mask, ah = a >> 32, bl = b & mask, bh = b >> 32;
     uint64_t middle = ah * bl + ((al * bl) >> 32);
     uint64_t cross = al * bh + (middle & mask);
@@ -14,6 +25,7 @@ static void multiply(uint64_t a, uint64_t b, uint64_t *high, uint64_t *low)
     *high = ah * bh + (middle >> 32) + (cross >> 32);
     *low = a * b;
 }
+#endif
 
 void kw_rng_philox(const uint64_t key[2], const uint64_t counter[4], uint64_t word[4])
 {
@@ -48,19 +60,11 @@ kw_rng kw_rng_at(uint64_t seed, uint64_t stream, uint64_t sample, uint64_t field
     return r;
 }
 
-uint64_t kw_rng_word(kw_rng *r)
+void kw_rng_block(kw_rng *r)
 {
-    if (r->used == 4) {
-        kw_rng_philox(r->key, r->counter, r->word);
-        r->counter[0]++;
-        r->used = 0;
-    }
-    return r->word[r->used++];
-}
-
-double kw_rng_uniform(kw_rng *r)
-{
-    return (double)(kw_rng_word(r) >> 11) * 0x1p-53;
+    kw_rng_philox(r->key, r->counter, r->word);
+    r->counter[0]++;
+    r->used = 0;
 }
 
 int kw_rng_below(kw_rng *r, int n)

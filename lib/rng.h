@@ -24,11 +24,22 @@ typedef struct kw_rng {
 /* The numbers of (seed, stream) that belong to `sample` and `field`, from the first. */
 kw_rng kw_rng_at(uint64_t seed, uint64_t stream, uint64_t sample, uint64_t field);
 
-/* The next 64 random bits. */
-uint64_t kw_rng_word(kw_rng *r);
+/* Makes the next block of four words, whatever is left of the present one. */
+void kw_rng_block(kw_rng *r);
+
+/* The next 64 random bits. It stands here because it is called for every number. */
+static inline uint64_t kw_rng_word(kw_rng *r)
+{
+    if (r->used == 4)
+        kw_rng_block(r);
+    return r->word[r->used++];
+}
 
 /* A multiple of 2^-53, uniform in [0,1). */
-double kw_rng_uniform(kw_rng *r);
+static inline double kw_rng_uniform(kw_rng *r)
+{
+    return (double)(kw_rng_word(r) >> 11) * 0x1p-53;
+}
 
 /* An integer, uniform in 0..n-1 without bias (words that would bias it are passed over).
    n >= 1. */

@@ -194,6 +194,40 @@ static void a_full_disk_is_said(void)
     fill_disk(10000);
 }
 
+static void a_beginning_may_come_last(void)
+{
+    char text[TEXT];
+    kw_out *f = kw_out_new(path_of("late"));
+
+    kw_out_text(f, "???? words");
+    kw_out_begin_with(f, "four", 4);
+    kw_out_bytes(f, " and\0more\n", 10);
+    CHECK(!kw_out_failed(f), "late");
+    CHECK(kw_out_close(f) == 0, "late");
+    CHECK(read_file("late", text) == 20, "%s", text);
+    CHECK(memcmp(text, "four words and\0more\n", 20) == 0, "%s", text);
+}
+
+static void a_file_may_be_given_up(void)
+{
+    char text[TEXT];
+    kw_out *f;
+
+    write_file("kept", "old\n");
+    f = kw_out_new(path_of("kept"));
+    kw_out_text(f, "new\n");
+    kw_out_drop(f);
+    CHECK(!is_there("kept.tmp"), "the temporary is left");
+    read_file("kept", text);
+    CHECK(strcmp(text, "old\n") == 0, "%s", text);
+
+    f = kw_out_new(path_of("none/file"));
+    CHECK(kw_out_failed(f), "none/file");
+    kw_out_begin_with(f, "words", 5);
+    kw_out_drop(f);
+    CHECK(!is_there("none"), "the folder was made");
+}
+
 /* --- arrays --- */
 
 /* The preamble and header of one block of 128 bytes, the dictionary being `words`. */
@@ -447,6 +481,8 @@ int main(void)
     test_run("out: a folder in the way is said with the path",
              a_folder_in_the_way_is_said);
     test_run("out: a full disk is said and the older file stays", a_full_disk_is_said);
+    test_run("out: the beginning of a file may come last", a_beginning_may_come_last);
+    test_run("out: a file may be given up", a_file_may_be_given_up);
     test_run("out: NPY files are exact to the byte", npy_files_are_exact_to_the_byte);
     test_run("out: NPY data begin at a multiple of 64",
              npy_data_begin_at_a_multiple_of_64);

@@ -1,0 +1,324 @@
+#!/bin/sh
+# gen_set_test.sh -- data sets: the same bytes in any pieces, whole after any end, never mixed,
+# checked by `gen verify`. Runs in the folder of the Makefile; BUILD is the folder of the programs.
+set -u
+
+gen=$(cd "${BUILD:-build}/bin" && pwd)/gen
+golden=$PWD/tests/gen_golden.txt
+place=$(mktemp -d) || exit 1
+trap 'chmod -R u+w "$place"; rm -rf "$place"' EXIT
+said=$place/said
+# shellcheck source=tests/result.inc
+. tests/result.inc
+cd "$place" || exit 1
+families=$("$gen" --help | awk '/^Families/ { on = 1; next } /^$/ { on = 0 } on { print $1 }')
+
+# call ARGUMENT ... -- runs gen; its status is in $status, its words in out and err
+call() {
+    "$gen" "$@" >out 2>err
+    status=$?
+    cat out err >"$said"
+}
+
+# good NAME -- the last call went well, without a word on stderr
+good() {
+    [ "$status" = 0 ] && [ ! -s err ]
+    result $? "set: $1"
+}
+
+# bad STATUS NAME TEXT -- the last call said TEXT, in one line on stderr, and nothing else
+bad() {
+    [ "$status" = "$1" ] && [ ! -s out ] && [ "$(wc -l <err)" -eq 1 ] && grep -q -F -e "$3" err
+    result $? "set: $2"
+}
+
+# faulty NAME TEXT -- verify names a defect with TEXT, and how many there are
+faulty() {
+    call verify "$1"
+    [ "$status" = 1 ] && [ ! -s out ] && grep -q -F -e "$2" err && grep -q ' defects$' err
+    result $? "set: verify finds $2"
+}
+
+# same A B NAME -- two folders are the same to the byte
+same() {
+    diff -r "$1" "$2" >"$said" 2>&1
+    result $? "set: $3"
+}
+
+# body FILE ... -- CSV files one behind the other, without their headers
+body() {
+    for file; do
+        sed 1d "$file"
+    done
+}
+
+# data FILE ... -- the numbers of NPY files one behind the other: the headers have 128 bytes
+data() {
+    for file; do
+        tail -c +129 "$file"
+    done
+}
+
+# --- every family: the same in one piece and in many ---
+# pieces FAMILY -- 12 samples at once, in shards, and by a call for each range
+pieces() {
+    call "$1" --seed 7 --count 12 --out one
+    good "$1: 12 samples at once"
+    call "$1" --seed 7 --count 12 --shards 5 --out many
+    good "$1: in 5 shards"
+    call "$1" --seed 7 --count 4 --out low
+    call "$1" --seed 7 --first 4 --count 8 --out high
+    good "$1: in two calls"
+    for array in one/*/train-00000-of-00001.csv; do
+        array=$(basename "$(dirname "$array")")
+        body one/"$array"/*.csv >wanted
+        body many/"$array"/*.csv | cmp -s wanted - && body low/"$array"/*.csv high/"$array"/*.csv |
+            cmp -s wanted - && data one/"$array"/*.npy >wanted &&
+            data many/"$array"/*.npy | cmp -s wanted - &&
+            data low/"$array"/*.npy high/"$array"/*.npy | cmp -s wanted -
+        result $? "set: $1: $array is the same in any pieces"
+    done
+    call "$1" --seed 8 --count 12 --out other
+    ! cmp -s one/SHA256SUMS other/SHA256SUMS
+    result $? "set: $1: another seed, another set"
+    rm -rf one many low high other
+}
+
+# worked FAMILY -- the call of its help makes a set that verify finds right
+worked() {
+    call "$1" --help
+    # shellcheck disable=SC2046  # a list of words
+    call $(sed -n 's/^  gen //p' out)
+    good "$1: the call of its help"
+    call verify "$1"
+    good "$1: verify"
+    if command -v sha256sum >/dev/null; then
+        (cd "$1" && sha256sum -c --quiet SHA256SUMS) >"$said" 2>&1
+        result $? "set: $1: sha256sum finds its sums right"
+    fi
+    if command -v python3 >/dev/null; then
+        python3 -m json.tool "$1/datapackage.json" >"$said" 2>&1
+        result $? "set: $1: datapackage.json is JSON"
+    else
+        echo "# skipped: there is no python3 to read the JSON"
+    fi
+    rm -rf "$1"
+}
+
+for family in $families; do
+    pieces "$family"
+    worked "$family"
+done
+
+# --- golden sums: small sets of every family, the same with any compiler ---
+while read -r sum options; do
+    # shellcheck disable=SC2086  # a list of words
+    call $options --out golden
+    call verify golden
+    [ "$status" = 0 ] && grep -q "$sum" out
+    result $? "set: gen $options is $sum"
+    rm -rf golden
+done <"$golden"
+
+# --- shards one by one, in any order, and by several processes ---
+options='--seed 3 --count 25 --validation 5 --test 3 --shards 4 --format csv,npy,xml --controls 4-8'
+# shellcheck disable=SC2086  # a list of words
+call curve $options --out whole
+good "4 shards of 3 splits"
+for shard in 2 0 3 1; do
+    # shellcheck disable=SC2086
+    call curve $options --out parts --shard $shard
+    good "shard $shard alone"
+    if [ $shard = 0 ]; then
+        call verify parts
+        [ "$status" = 1 ] && grep -q 'shard 1 of 4 is missing' err &&
+            grep -q 'shard 3 of 4 is missing' err
+        result $? "set: verify names the missing shards"
+    fi
+done
+# shellcheck disable=SC2086
+call curve $options --out parts
+good "the call without --shard completes the set"
+same whole parts "the same, shard by shard"
+# shellcheck disable=SC2086
+call curve $options --out jobs --jobs 3
+good "by 3 processes"
+same whole jobs "the same, by 3 processes"
+touch -d '2001-01-01' whole/points/train-00000-of-00004.npy
+# shellcheck disable=SC2086
+call curve $options --out whole
+[ "$(find whole/points -name 'train-00000*.npy' -newermt '2002-01-01' | wc -l)" = 0 ]
+result $? "set: a complete shard is left alone"
+rm -rf parts jobs
+
+# --- killed at many moments ---
+# wholesome -- what stands under a final name is what stands there in the whole set
+wholesome() {
+    find killed -type f ! -name '*.tmp' ! -name '*.begun' >names
+    while read -r name; do
+        cmp "$name" "whole/${name#killed/}" || return 1
+    done <names
+}
+torn=0
+cuts=0
+for jobs in 1 2; do
+    for delay in 001 002 003 004 006 008 010 012 015 018 020 025 030 040 050; do
+        rm -rf killed
+        # shellcheck disable=SC2086
+        timeout -s KILL "0.$delay" "$gen" curve $options --jobs $jobs --out killed >"$said" 2>&1
+        [ -d killed ] && [ ! -e killed/SHA256SUMS ] && cuts=$((cuts + 1))
+        [ ! -d killed ] || wholesome >>"$said" 2>&1 || torn=$((torn + 1))
+    done
+done
+echo "# $cuts calls were cut off, $torn left a torn file" | tee "$said"
+[ "$torn" = 0 ]
+result $? "set: killed at any moment, no half file has its final name"
+for delay in 005 005 010 010 020; do
+    # shellcheck disable=SC2086
+    timeout -s KILL "0.$delay" "$gen" curve $options --out killed >/dev/null 2>&1
+done
+# shellcheck disable=SC2086
+call curve $options --out killed
+good "begun again and again, completed at last"
+find killed -name '*.tmp' -o -name '*.begun' >"$said"
+[ ! -s "$said" ]
+result $? "set: nothing is left over"
+same whole killed "the same after all"
+
+# --- a shard that somebody else makes ---
+if command -v python3 >/dev/null; then
+    rm -rf killed/shards/00000-of-00004.done
+    # shellcheck disable=SC2016,SC2086
+    python3 -c '
+import fcntl, subprocess, sys
+f = open("killed/shards/00000-of-00004.begun", "w")
+fcntl.lockf(f, fcntl.LOCK_EX)
+sys.exit(subprocess.call(sys.argv[1:], stdout=open("out", "w"), stderr=open("err", "w")))' \
+        "$gen" curve $options --out killed --shard 0
+    status=$?
+    bad 1 "a shard that another process makes" 'another process makes this shard'
+fi
+rm -rf killed
+
+# --- no room, no rights, a folder of something else ---
+if [ -w /dev/full ]; then
+    mkdir -p full/points full/shards
+    ln -s /dev/full full/points/train-00000-of-00001.npy.tmp
+    call curve --count 100 --out full
+    bad 1 "a full disk" 'cannot write full/points/train-00000-of-00001.npy: No space left'
+    find full -type f ! -name '*.begun' >"$said"
+    [ ! -s "$said" ]
+    result $? "set: a full disk leaves no file"
+    call curve --count 100 --out full
+    good "there is room again"
+    rm -rf full
+else
+    echo "# skipped: there is no /dev/full here"
+fi
+mkdir locked
+chmod a-w locked
+if [ "$(id -u)" = 0 ]; then
+    echo "# skipped: root may write into read-only folders"
+else
+    call curve --count 1 --out locked
+    bad 1 "a read-only folder" 'cannot make the folder locked/shards: Permission denied'
+    call curve --count 1 --out locked/deeper
+    bad 1 "a read-only parent" 'cannot make the folder locked/deeper: Permission denied'
+fi
+call curve --count 1 --out none/deeper
+bad 1 "no parent" 'cannot make the folder none/deeper: No such file or directory'
+echo words >file
+call curve --count 1 --out file
+bad 1 "a file in place of the folder" 'cannot make the folder file'
+mkdir mine
+echo mine >mine/notes
+call curve --count 1 --out mine
+bad 1 "a folder of something else" 'mine is not empty and holds no set'
+[ "$(ls mine)" = notes ]
+result $? "set: it stays as it is"
+cp -r whole kept
+for other in '--seed 4 --count 25' '--seed 3 --count 26' '--seed 3 --count 25 --degree 2'; do
+    # shellcheck disable=SC2086
+    call curve $other --out kept
+    bad 1 "the folder of another set: $other" 'kept holds another set: gen curve --seed 3'
+done
+same whole kept "it stays as it is"
+
+# --- verify ---
+faulty_file=kept/points/train-00001-of-00004.npy
+printf X | dd of=$faulty_file bs=1 seek=200 conv=notrunc 2>/dev/null
+faulty kept 'train-00001-of-00004.npy: its sum is not the one it was made with'
+cp whole/points/train-00001-of-00004.npy $faulty_file
+sed -i '$d' kept/points/train-00000-of-00004.csv
+faulty kept 'train-00000-of-00004.csv: its sum is not'
+rm kept/points/train-00000-of-00004.csv
+faulty kept 'train-00000-of-00004.csv: No such file'
+# shellcheck disable=SC2086
+call curve $options --out kept
+good "what was lost is made again"
+same whole kept "the same again"
+# the last sample for training in place of one for the test: the sums agree, the ranges do not
+cp kept/counts/train-00000-of-00004.csv kept/counts/test-00003-of-00004.csv
+faulty kept 'counts/test-00003-of-00004.csv: these are not the samples'
+rm kept/SHA256SUMS
+faulty kept 'SHA256SUMS: No such file'
+call verify mine
+bad 1 "verify: no set" 'mine holds no set'
+call verify
+bad 2 "verify: no folder" 'needs the folder'
+call verify whole kept
+bad 2 "verify: two folders" 'needs the folder'
+call verify whole
+good "verify: a set that is right"
+grep -q 'train 17, validation 5, test 3' out
+result $? "set: verify counts"
+
+# --- calls that are wrong ---
+wrong() {
+    text=$1
+    shift
+    call curve "$@"
+    bad 2 "$*" "$text"
+    [ ! -e new ]
+    result $? "set: $*: nothing is made"
+}
+wrong 'needs --count' --out new
+wrong 'needs --out' --count 1
+wrong '--count is 0' --count 0 --out new
+wrong '--count is `-1'"'" --count -1 --out new
+wrong '--count is `ten'"'" --count ten --out new
+wrong '--count is `1e3'"'" --count 1e3 --out new
+wrong 'goes past 2^63' --first 9223372036854775807 --count 2 --out new
+wrong '--first is 9223372036854775808, more than' --first 9223372036854775808 --count 1 --out new
+wrong '--first is 99999999999999999999, more than' --first 99999999999999999999 --count 1 --out new
+wrong '--seed is 18446744073709551616, more than' --seed 18446744073709551616 --count 1 --out new
+wrong 'no option `--colour'"'" --count 1 --out new --colour red
+wrong '--out has no value' --count 1 --out
+wrong '--count is given twice' --count 1 --count 2 --out new
+wrong 'are more than --count 5' --count 5 --validation 3 --test 3 --out new
+wrong '--shard 4 of --shards 4' --count 5 --shards 4 --shard 4 --out new
+wrong '--shards is 0' --count 5 --shards 0 --out new
+wrong '--jobs is 0' --count 5 --jobs 0 --out new
+wrong '--jobs share shards' --count 5 --shards 4 --jobs 2 --shard 1 --out new
+wrong 'there are too few' --count 5 --shards 4 --jobs 5 --out new
+wrong 'no format `hdf'"'" --count 5 --format csv,hdf --out new
+wrong 'no format `'"'" --count 5 --format csv, --out new
+wrong '--degree is 6, not within 1 .. 5' --count 5 --degree 6 --out new
+wrong '--degree is `3.5'"'" --count 5 --degree 3.5 --out new
+wrong '--noise is `nan'"'" --count 5 --noise nan --out new
+wrong '--noise is -1, not within' --count 5 --noise -1 --out new
+wrong '--law is `cubic'"'" --count 5 --law cubic --out new
+wrong 'from more to less' --count 5 --points 8-4 --out new
+wrong 'degree 3 needs 4 at least' --count 5 --controls 3 --out new
+
+# The last index there is.
+call curve --first 9223372036854775807 --count 1 --out last
+good "the last index"
+grep -q '^9223372036854775807,0,' last/counts/train-00000-of-00001.csv
+result $? "set: its number is in the file"
+call curve --seed 18446744073709551615 --count 3 --shards 7 --out few
+good "more shards than samples"
+call verify few
+good "verify: more shards than samples"
+
+exit $failed
