@@ -4,14 +4,18 @@
 #   make figures     build everything, run every driver, draw figures/*.svg
 #   make check       recompute every number and judge it; needs a C compiler alone
 #   make check SAN=1 the same under the address and undefined-behaviour sanitizers
+#   make data        a small set of every family of the generator, in build/sets
+#   make book        weave build/book/index.html, the lessons on one page (make setup-book installs pandoc)
 #
 # For those who change it (make setup-dev installs the tools):
 #   make identical   the data are the same bytes from gcc and clang, -O0 and -O3
 #   make valgrind    every driver and test under valgrind
+#   make book-check  weaving stops when it should; the page in a real browser
 #   make lint        clang-format, cppcheck, clang-tidy, shellcheck
 #   make format      clang-format, in place
 #   make fuzz        the reader of mesh files under random input (clang's libFuzzer)
 #   make bench       what an evaluation costs, as ratios within one run
+#   make install     the generator as PREFIX/bin/knotwork-gen
 #   make clean
 #
 # CC, OPT and BUILD choose another compiler, optimization and build folder.
@@ -19,6 +23,7 @@
 CC     ?= cc
 OPT    ?= -O3
 BUILD  ?= build
+PREFIX ?= /usr/local
 ifdef SAN
 BUILD  := build/san
 OPT    := -O1
@@ -40,23 +45,24 @@ $(error two drivers have the same name: $(sort $(foreach d,$(DRIVERS),$(if $(fil
 endif
 LIBRARY := $(BUILD)/lib/libknotwork.a
 GEN     := $(BUILD)/bin/gen
+FAMILIES := $(filter-out count reference,$(patsubst gen/gen_%.c,%,$(sort $(wildcard gen/gen_*.c))))
 REPORTS := $(DRIVERS:%=$(BUILD)/claims/%.tsv)
 LOGS    := $(TESTS:%=$(BUILD)/tests/%.log) $(SCRIPTS:%=$(BUILD)/tests/%.log) \
            $(BUILD)/tests/ledger.log
-SETUP   := $(filter setup,$(MAKECMDGOALS))
+SETUP   := $(filter setup setup-book,$(MAKECMDGOALS))
 
 vpath %.c  lib gen tests tests/bench tests/fuzz $(LESSONS)
 vpath %.gp $(LESSONS)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
-.PHONY: all setup setup-dev figures data check identical valgrind lint format bench fuzz clean FORCE
+.PHONY: all setup setup-book setup-dev figures reports data install check book book-check identical valgrind lint format bench fuzz clean FORCE
 
 all: figures
 
 # --- building ---
 
-FOLDERS := $(addprefix $(BUILD)/,obj lib bin data claims tests)
+FOLDERS := $(addprefix $(BUILD)/,obj lib bin data claims tests sets)
 $(FOLDERS):
 	@mkdir -p $@
 
@@ -86,7 +92,7 @@ $(BUILD)/bin/%: $(BUILD)/obj/%.o $(LIBRARY)
 $(BUILD)/claims/%.tsv: $(BUILD)/bin/%
 	$<
 
-data: $(REPORTS)
+reports: $(REPORTS)
 
 figures: $(GEN) $(PLOTS:%=figures/%.svg)
 
@@ -96,6 +102,15 @@ $(BUILD)/data/%.dat: $(BUILD)/claims/%.tsv
 
 figures/%.svg: %.gp figures/style.gp $(BUILD)/data/%.dat figures/draw.sh | $(SETUP)
 	@figures/draw.sh $< $(BUILD)/data/$*.dat $@
+
+# --- data sets ---
+
+data: $(GEN) | $(BUILD)/sets
+	@for family in $(FAMILIES); do \
+	    $(GEN) $$family --count 20 --validation 5 --test 5 --out $(BUILD)/sets/$$family || exit 1; done
+
+install: $(GEN)
+	install -D $(GEN) $(DESTDIR)$(PREFIX)/bin/knotwork-gen
 
 # --- checks ---
 
@@ -112,9 +127,29 @@ $(BUILD)/tests/ledger.log: $(BUILD)/bin/ledger $(REPORTS) FORCE
 $(BUILD)/tests/%.log: tests/%.sh $(BUILD)/bin/ledger $(GEN) $(REPORTS) FORCE
 	@BUILD=$(BUILD) tests/run.sh $@ $<
 
+# --- the book: woven only from a ledger that holds ---
+
+book: $(BUILD)/book/index.html
+
+$(BUILD)/book/index.html: $(wildcard chapters/book/* chapters/*.* chapters/*/chapter.md \
+    chapters/*/*.[ch] lib/*.[ch]) tests/items.txt CITATION.cff $(REPORTS) \
+    $(PLOTS:%=figures/%.svg) $(BUILD)/bin/ledger | $(SETUP)
+	@$(BUILD)/bin/ledger chapters/claims.tsv chapters/ERRATA.md tests/items.txt $(BUILD)/claims \
+	    $(DRIVERS) >$(BUILD)/tests/ledger.log || { grep '^not ok' $(BUILD)/tests/ledger.log; exit 1; }
+	@chapters/book/weave.sh $(BUILD)/claims $@
+
+# Woven again, the page has the same bytes.
+book-check: $(BUILD)/book/index.html
+	@chapters/book/weave.sh $(BUILD)/claims $(BUILD)/book/again.html && \
+	    cmp $< $(BUILD)/book/again.html && rm $(BUILD)/book/again.html
+	@tests/run.sh $(BUILD)/tests/book_weave.log tests/book/weave_test.sh
+	@tests/run.sh $(BUILD)/tests/book_page_check.log tests/book/page_check_test.sh
+	@tests/run.sh $(BUILD)/tests/book_page.log tests/book/page_test.py $<
+	@tests/summary.sh $(BUILD)/tests/book_*.log
+
 identical:
 	@for cc in gcc clang; do for opt in -O0 -O3; do \
-	    $(MAKE) --no-print-directory -s data CC=$$cc OPT=$$opt BUILD=build/$$cc$$opt || exit 1; \
+	    $(MAKE) --no-print-directory -s reports CC=$$cc OPT=$$opt BUILD=build/$$cc$$opt || exit 1; \
 	    for part in data claims; do \
 	        diff -r build/gcc-O0/$$part build/$$cc$$opt/$$part || exit 1; done; done; done
 	@echo "gcc and clang, -O0 and -O3: the same bytes in every data file and report"
@@ -136,14 +171,15 @@ lint:
 	cppcheck --quiet --std=c11 --error-exitcode=1 --inline-suppr -Ilib \
 	    --enable=warning,style,performance,portability \
 	    --suppressions-list=tests/cppcheck.txt $(filter %.c,$(SOURCES))
-	clang-tidy --quiet --warnings-as-errors='*' $(filter %.c,$(SOURCES)) -- \
-	    -std=c11 -D_POSIX_C_SOURCE=200809L -Ilib
-	shellcheck .ci/run .ci/install figures/*.sh tests/*.sh
+	@printf '%s\n' $(filter %.c,$(SOURCES)) | xargs -P 2 -n 8 sh -c \
+	    'clang-tidy --quiet --warnings-as-errors="*" "$$@" -- \
+	    -std=c11 -D_POSIX_C_SOURCE=200809L -Ilib' clang-tidy
+	shellcheck .ci/run .ci/install figures/*.sh tests/*.sh tests/book/*.sh chapters/book/*.sh
 
 format:
 	clang-format -i $(SOURCES)
 
-bench: $(patsubst tests/bench/%.c,$(BUILD)/bin/%,$(wildcard tests/bench/*.c))
+bench: $(patsubst tests/bench/%.c,$(BUILD)/bin/%,$(wildcard tests/bench/*.c)) | $(GEN)
 	@for program in $^; do $$program || exit 1; done
 
 # A fixed seed and a fixed count of inputs; what is found is left in build/fuzz.
@@ -160,10 +196,13 @@ fuzz:
 setup:
 	@.ci/install gnuplot:gnuplot-nox cc:gcc,libc6-dev
 
-setup-dev: setup
+setup-book:
+	@.ci/install pandoc:pandoc
+
+setup-dev: setup setup-book
 	@.ci/install gcc:gcc,libc6-dev clang:clang,libclang-rt-14-dev valgrind:valgrind,libc6-dbg \
 	    clang-format:clang-format clang-tidy:clang-tidy cppcheck:cppcheck \
-	    shellcheck:shellcheck
+	    shellcheck:shellcheck chromium:chromium python3:python3
 
 clean:
 	rm -rf build

@@ -21,7 +21,7 @@ static int bucket_of(const kw_bspline *s, double x)
 
 static void make_table(kw_bspline *s)
 {
-    int span = s->d, next = s->d; /* the last span that has begun; the next to begin */
+    int next = s->d, span = next; /* the next span to begin; the last that has begun */
 
     s->buckets = s->n - s->d;
     s->scale = s->buckets / (s->t[s->n] - s->t[s->d]);
