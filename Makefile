@@ -154,10 +154,12 @@ identical:
 	        diff -r build/gcc-O0/$$part build/$$cc$$opt/$$part || exit 1; done; done; done
 	@echo "gcc and clang, -O0 and -O3: the same bytes in every data file and report"
 
+WATCHED ?= $(DRIVERS) $(TESTS)
+
 valgrind:
 	@$(MAKE) --no-print-directory -s check OPT='-O1 -g' BUILD=build/valgrind
-	@$(MAKE) --no-print-directory -s $(DRIVERS:%=valgrind-%) $(TESTS:%=valgrind-%)
-	@echo "valgrind finds nothing in $(words $(DRIVERS)) drivers and $(words $(TESTS)) tests"
+	@$(MAKE) --no-print-directory -s $(WATCHED:%=valgrind-%)
+	@echo "valgrind finds nothing in $(words $(WATCHED)) programs"
 
 valgrind-%:
 	@log=build/valgrind/$*.log; valgrind -q --leak-check=full --child-silent-after-fork=yes \
