@@ -1,6 +1,7 @@
 /* gen count -- how many active cells and functions each level of a mesh has. */
 #include "active.h"
 #include "gen.h"
+#include "size.h"
 #include <stdio.h>
 
 static int run(const char *const *value)
@@ -10,6 +11,10 @@ static int run(const char *const *value)
 
     if (!m)
         return GEN_BAD_INPUT;
+    if (size_check_active(m, value[0]) != GEN_GOOD) {
+        kw_mesh_free(m);
+        return GEN_BAD_INPUT;
+    }
     a = kw_active_new(m);
     puts("level,active_cells,functions");
     for (int l = 0; l < m->levels; l++)
@@ -32,6 +37,12 @@ const gen_command gen_count = {
         "  --mesh FILE  lines `degree' (one a direction), `knots' (a line a direction),\n"
         "               `refine LEVEL LOW ... HIGH ...' (the cells LOW .. HIGH-1)\n"
         "\n"
+        "A level halves every span t, t' of the level before, at the double\n"
+        "t + (t' - t) / 2. Auxiliary spans, outside the domain, are halved too, and the\n"
+        "d knots nearest to the domain are kept on each side: for degree 2 the knots\n"
+        "-2 -1 0 1 .. become -1 -0.5 0 0.5 1 .. , at an open end 0 0 0 1 .. become\n"
+        "0 0 0 0.5 1 .. .\n"
+        "\n" SIZE_HELP "\n"
         "For example, 4 x 4 cells of degree 2, their inner 2 x 2 cells refined, and\n"
         "of these the inner part once more, in boxes.mesh:\n"
         "\n"

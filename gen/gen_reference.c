@@ -3,6 +3,7 @@
 #include "hier.h"
 #include "need.h"
 #include "points.h"
+#include "size.h"
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -51,12 +52,14 @@ static int read_derivative(const char *word, int D, int *r)
     return GEN_GOOD;
 }
 
-/* Knots very close to each other have derivatives that no double holds. */
+/* Knots very close to each other have derivatives that no double holds. Values lie in [0,1]. */
 static int check_finite(const task *t, const char *path)
 {
-    int D = t->b->active->mesh->D;
+    int D = t->b->active->mesh->D, order = 0;
 
-    for (size_t p = 0; p < t->count; p++) {
+    for (int h = 0; h < D; h++)
+        order = t->r[h] > order ? t->r[h] : order;
+    for (size_t p = 0; order > 0 && p < t->count; p++) {
         int count =
             kw_hier_at(t->b, t->kind, t->r, t->x + p * (size_t)D, t->index, t->value);
 
@@ -96,18 +99,12 @@ static void print_all(const task *t)
         print_point(t, p);
 }
 
-/* A short file may ask for more than a machine has. */
-static const double most_bytes = 0x1p33;
-
 static int answer(task *t, const kw_mesh *m, const char *mesh, const char *path)
 {
-    double bytes = kw_hier_estimate(m);
-    int status;
+    int status = size_check_basis(m, mesh);
 
-    if (bytes > most_bytes)
-        return gen_say(GEN_BAD_INPUT,
-                       "%s: its basis needs about %.2g bytes, more than %.2g", mesh,
-                       bytes, most_bytes);
+    if (status != GEN_GOOD)
+        return status;
     t->b = kw_hier_new(m);
     t->index = kw_need_memory((size_t)t->b->most, sizeof *t->index);
     t->value = kw_need_memory((size_t)t->b->most, sizeof *t->value);
@@ -164,6 +161,20 @@ const gen_command gen_reference = {
         "from\n"
         "                    behind the edge, at the right end the one from within\n"
         "\n"
+        "Knots of finer levels are the doubles t + (t' - t) / 2, made level by level\n"
+        "from those of the file; lib/meshfile.h says what becomes of auxiliary knots.\n"
+        "With respect to these doubles values are right to n 2^-53, where L levels and\n"
+        "the degrees d have at most\n"
+        "\n"
+        "  n = (L-1) sum (6d+1) + sum (5d+1) + product (d+1) + 1\n"
+        "\n"
+        "roundings: below 1e-14 for degree 2 in two directions and 3 levels. The tests\n"
+        "hold 1e-14 for degrees 1 to 3 on 9 levels of decimal knots. Who takes exact\n"
+        "middles of decimal knots, or (t + t') / 2, may get other knots, and values\n"
+        "that differ by about ulp(t) / (t' - t). Derivatives are right to n 2^-53 times\n"
+        "the sum of the absolute values of their terms, of size (2d / cell)^order: one\n"
+        "that is zero may come out as a rounded zero, a line with a small number.\n"
+        "\n" SIZE_HELP "\n"
         "For example, hats on two cells, the right one halved, in hats.mesh:\n"
         "\n"
         "  degree 1\n"

@@ -67,11 +67,13 @@ static int read_number(const reader *r, const kw_mesh *m, int h, char *word, cha
     const kw_bspline *s = m->level[0].s[h];
     double a = s->t[s->d], b = s->t[s->n];
     char *stop;
+    int found;
 
     *end = 0;
     *x = strtod(word, &stop);
+    found = stop > word; /* not where there are blanks alone */
     stop += strspn(stop, " \t");
-    if (stop == word || *stop || strpbrk(word, "xX"))
+    if (!found || *stop || strpbrk(word, "xX"))
         return gen_say(1, "%s:%ld: x%d is `%.40s', which is no number", r->path, r->line,
                        h + 1, word);
     if (!isfinite(*x))

@@ -14,10 +14,11 @@
 
    The derivative at a kink or jump is that from the left: 0 for sign, step and ReLU, 0.01 for the
    leaky ReLU. Functions that have a saturated end take the derivative there from the
-   value, so it has an absolute error of some 1e-16. A NaN gives a NaN; what else is said is
-   for finite z. The source text prints no list; this one is chosen. [Goodfellow, Bengio,
-   Courville: Deep Learning, 2016, sections 6.2 and 6.3; Hendrycks, Gimpel: Gaussian error
-   linear units, 2016] */
+   value, so it has an absolute error of some 1e-16. The value of a NaN is a NaN. So is the
+   derivative, but where it is constant on pieces (identity, sign, step, ReLU, leaky ReLU) it is as
+   for z < 0. What else is said is for finite z. The source text prints no list; this one is
+   chosen. [Goodfellow, Bengio, Courville: Deep Learning, 2016, sections 6.2 and 6.3;
+   Hendrycks, Gimpel: Gaussian error linear units, 2016] */
 #ifndef KW_ACTIVATION_H
 #define KW_ACTIVATION_H
 

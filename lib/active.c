@@ -224,46 +224,112 @@ int kw_active_cell(const kw_active *a, int i, int *cell)
     return level;
 }
 
-/* What function j is, from the cells of its support; KW_ACTIVE_FIRST if it is active. */
-static int look_at_support(const kw_mesh *m, int level, const int *j)
-{
-    int low[D_MOST] = {0}, high[D_MOST] = {0}, cell[D_MOST], covered = 1;
+/* --- Kraft's recursion: it asks the mesh alone, and nothing above --- */
 
-    support(m, level, j, low, high);
+/* A set of functions of any levels. */
+typedef struct member {
+    int level, j[D_MOST];
+} member;
+
+typedef struct members {
+    member *list;
+    long long count;
+    size_t room;
+} members;
+
+static void add_member(members *H, member f)
+{
+    if ((size_t)H->count == H->room) {
+        H->room = H->room > 0 ? 2 * H->room : 64;
+        H->list = realloc(H->list, H->room * sizeof *H->list);
+        KW_NEED(H->list, "memory for %zu functions", H->room);
+    }
+    H->list[H->count++] = f;
+}
+
+/* How many cells of a level begin before x. */
+static int cells_before(const kw_mesh *m, int level, int h, double x)
+{
+    const kw_mesh_level *l = &m->level[level];
+    int low = 0, high = l->cells[h];
+
+    while (low < high) {
+        int middle = low + (high - low) / 2;
+
+        if (l->s[h]->t[l->span[h][middle]] < x)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Does the support of f, from its first knot to its last, lie in Omega^level? A coarse knot is a
+   fine one too, so the support is a union of cells of every finer level. */
+static int lies_in(const kw_mesh *m, const member *f, int level)
+{
+    int low[D_MOST] = {0}, high[D_MOST] = {0}, cell[D_MOST];
+
+    for (int h = 0; h < m->D; h++) {
+        const kw_bspline *s = m->level[f->level].s[h];
+
+        low[h] = cells_before(m, level, h, s->t[f->j[h]]);
+        high[h] = cells_before(m, level, h, s->t[f->j[h] + s->d + 1]);
+    }
     memcpy(cell, low, sizeof cell);
-    do {
+    do
         if (!kw_mesh_inside(m, level, cell))
-            return KW_ACTIVE_OUTSIDE;
-        covered = covered && kw_mesh_refined(m, level, cell);
-    } while (next_index(m->D, low, high, cell));
-    return covered ? KW_ACTIVE_COVERED : KW_ACTIVE_FIRST;
+            return 0;
+    while (next_index(m->D, low, high, cell));
+    return 1;
+}
+
+/* Drops those with support in Omega^level, of whatever level they are. */
+static void drop_members(const kw_mesh *m, members *H, int level)
+{
+    long long kept = 0;
+
+    for (long long i = 0; i < H->count; i++)
+        if (!lies_in(m, &H->list[i], level))
+            H->list[kept++] = H->list[i];
+    H->count = kept;
+}
+
+/* Adds the functions of a level with support in Omega^level. Such a support begins with a cell
+   of Omega^level, and its first knot lies behind the beginning of the cell before. */
+static void add_members(const kw_mesh *m, members *H, int level)
+{
+    long long cells;
+    uint64_t *list = kw_mesh_cells(m, level, &cells);
+
+    for (long long i = 0; i < cells; i++) {
+        int cell[D_MOST], low[D_MOST] = {0}, high[D_MOST] = {0};
+        member f = {.level = level};
+
+        kw_mesh_multi(m, level, list[i], cell);
+        for (int h = 0; h < m->D; h++) {
+            const int *span = m->level[level].span[h];
+
+            f.j[h] = low[h] = cell[h] > 0 ? span[cell[h] - 1] + 1 : 0;
+            high[h] = span[cell[h]] + 1;
+        }
+        do
+            if (lies_in(m, &f, level))
+                add_member(H, f);
+        while (next_index(m->D, low, high, f.j));
+    }
+    free(list);
 }
 
 long long kw_active_kraft(const kw_mesh *m)
 {
-    long long count = 0;
+    members H = {NULL, 0, 0};
 
-    for (int level = 0; level < m->levels; level++) {
-        long long cells;
-        uint64_t *list = kw_mesh_cells(m, level, &cells);
-
-        for (long long i = 0; i < cells; i++) {
-            int cell[D_MOST], low[D_MOST] = {0}, high[D_MOST] = {0}, j[D_MOST];
-
-            kw_mesh_multi(m, level, list[i], cell);
-            kw_active_box(m, level, cell, low, high);
-            memcpy(j, low, sizeof j);
-            do {
-                int begins = 1, is; /* each function is met at its first cell */
-
-                for (int h = 0; h < m->D; h++)
-                    begins = begins && m->level[level].edge[h][j[h]] == cell[h];
-                is = begins ? look_at_support(m, level, j) : KW_ACTIVE_OUTSIDE;
-                count += is != KW_ACTIVE_OUTSIDE; /* added with Omega^level */
-                count -= is == KW_ACTIVE_COVERED; /* dropped with the next domain */
-            } while (next_index(m->D, low, high, j));
-        }
-        free(list);
+    add_members(m, &H, 0);
+    for (int level = 1; level < m->levels; level++) {
+        drop_members(m, &H, level);
+        add_members(m, &H, level);
     }
-    return count;
+    free(H.list);
+    return H.count;
 }

@@ -11,7 +11,7 @@
    The local functions of a cell of level l are those of level l that are non-zero on it, prod
    (d_h+1) of them, in the order of kw_tensor_basis.
 
-   Time and memory are linear in the number of cells of all domains. */
+   Time and memory of kw_active_new are linear in the number of cells of all domains. */
 #ifndef KW_ACTIVE_H
 #define KW_ACTIVE_H
 
@@ -56,9 +56,12 @@ void kw_active_box(const kw_mesh *m, int level, const int *cell, int *low, int *
    the level. */
 int kw_active_cell(const kw_active *a, int i, int *cell);
 
-/* The number of active functions found in another way, without any table, by Kraft's
-   recursion: all functions of level 0; then, level by level, drop those with support in
-   Omega^{l+1} and add the functions of level l+1 with support there. [Kraft: Adaptive and
+/* The number of active functions found in another way, by Kraft's recursion: begin with all
+   functions of level 0; then, domain by domain, drop those of any level with support in
+   Omega^l and add the functions of level l with support there. Supports are taken from the
+   knots and laid out in cells of level l. Nothing but the mesh is shared with kw_active_new.
+   For tests and drivers: memory follows the functions, but each of them is looked at once a
+   level, and a look may go through all cells of level l in its support. [Kraft: Adaptive and
    linearly independent multilevel B-splines, 1997] */
 long long kw_active_kraft(const kw_mesh *m);
 

@@ -117,14 +117,16 @@ static void fix_sign(int n, double *vector)
             vector[j] = -vector[j];
 }
 
-void kw_eigen_symmetric(int n, double *A, double *value, double *vector)
+int kw_eigen_symmetric(int n, double *A, double *value, double *vector)
 {
-    double small;
+    double most, small;
     int sweeps = 0;
 
     need_symmetric(n, A);
+    most = largest(n * n, A);
+    KW_NEED(most <= DBL_MAX / 4 / n, "n = %d, an entry of size %g", n, most);
     /* n^2 entries of this size are a matrix of norm n u |A| / 2 at most */
-    small = largest(n * n, A) * DBL_EPSILON / 4;
+    small = most * DBL_EPSILON / 4;
     memset(vector, 0, (size_t)n * (size_t)n * sizeof *vector);
     for (int i = 0; i < n; i++)
         vector[i * n + i] = 1;
@@ -135,4 +137,5 @@ void kw_eigen_symmetric(int n, double *A, double *value, double *vector)
     sort(n, value, vector);
     for (int k = 0; k < n; k++)
         fix_sign(n, vector + k * n);
+    return sweeps;
 }

@@ -8,7 +8,7 @@
 #ifndef KW_EIGEN_H
 #define KW_EIGEN_H
 
-/* The eigenvalues of A, n x n, symmetric and finite: value[0..n-1], ascending; and the
+/* The eigenvalues of A, n x n, symmetric: value[0..n-1], ascending; and the
    eigenvectors, of norm one and orthogonal: vector is n x n, ROW k belongs to value[k]. So
    with the rows as U^T, A = U diag(value) U^T. A is overwritten.
 
@@ -19,7 +19,12 @@
    Accuracy: they are exact for a matrix that differs from A by at most 14 s n u |A| in the
    Frobenius norm, u = 2^-53 and s the number of sweeps: in each of them n-1 times a set of
    disjoint planes is turned, on both sides, with seven roundings in cosine, product and
-   sum. */
-void kw_eigen_symmetric(int n, double *A, double *value, double *vector);
+   sum.
+
+   No entry of A may be larger than DBL_MAX / (4 n) in absolute value: rotations keep all of them
+   below |A|, at most n times the largest, and twice that is formed on the way.
+
+   Returns s, the sweeps in which something was turned. */
+int kw_eigen_symmetric(int n, double *A, double *value, double *vector);
 
 #endif

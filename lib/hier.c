@@ -219,17 +219,6 @@ static void descend(kw_hier *b, int node, int level, int child, const int *cell,
     }
 }
 
-double kw_hier_estimate(const kw_mesh *m)
-{
-    double local = 1, cells = 0;
-
-    for (int h = 0; h < m->D; h++)
-        local *= m->level[0].s[h]->d + 1;
-    for (int level = 0; level < m->levels; level++)
-        cells += (double)kw_mesh_active(m, level) + 4; /* the tables of the walk down */
-    return cells * local * local * sizeof(double);
-}
-
 kw_hier *kw_hier_new(const kw_mesh *m)
 {
     kw_hier *b = kw_need_memory(1, sizeof *b);

@@ -57,12 +57,8 @@ typedef struct kw_hier {
     size_t owns, own_index_room, own_place_room;
 } kw_hier;
 
-/* The bytes that kw_hier_new needs on this mesh, roughly, before it begins: active cells times
-   the square of their local functions. */
-double kw_hier_estimate(const kw_mesh *m);
-
-/* Time and memory are linear in the number of cells and active functions. The caller frees.
-   Never NULL. */
+/* Time and memory are linear in the number of cells and active functions; estimate.h says how
+   much memory before. The caller frees. Never NULL. */
 kw_hier *kw_hier_new(const kw_mesh *m);
 void kw_hier_free(kw_hier *b);
 

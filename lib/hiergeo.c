@@ -110,17 +110,30 @@ static const double *entry(const kw_hier *b, const kw_hier *bases, int i,
     return local + (size_t)place_in_cell(m, level, cell, j) * (size_t)N;
 }
 
-void kw_hiergeo_refine(const kw_hier *b, const kw_hier *fine, int N, const double *c,
-                       double *out)
+/* On an active cell of level l no finer function is there. What the geometry has of beta_j^l
+   is the coefficient of the function, and, of an HB-spline, what the coarser ones bring. */
+void kw_hiergeo_refine(const kw_hier *b, const kw_hier *fine, kw_hier_kind kind, int N,
+                       const double *c, double *out)
 {
     double *local;
 
     KW_NEED(N >= 1, "N = %d", N);
     need_finer(b->active->mesh, fine->active->mesh);
     local = kw_need_memory((size_t)b->active->local * (size_t)N, sizeof *local);
-    for (int i = 0; i < fine->active->size; i++)
-        memcpy(out + (size_t)i * (size_t)N, entry(b, fine, i, KW_THB, N, c, local),
-               (size_t)N * sizeof *out);
+    memset(out, 0, (size_t)fine->active->size * (size_t)N * sizeof *out);
+    for (int i = 0; i < fine->active->size; i++) {
+        double *here = out + (size_t)i * (size_t)N;
+        const double *part;
+
+        if (kind == KW_HB) {
+            part = entry(fine, fine, i, KW_HB, N, out, local);
+            for (int a = 0; a < N; a++)
+                here[a] = -part[a];
+        }
+        part = entry(b, fine, i, kind, N, c, local);
+        for (int a = 0; a < N; a++)
+            here[a] += part[a];
+    }
     free(local);
 }
 
@@ -154,18 +167,31 @@ typedef struct box {
     double *c;
 } box;
 
-/* The fine functions that the two-scale relations of `count` coarse ones need. */
-static void fine_range(const kw_bspline *s, const kw_bspline *fine, int first, int count,
+/* Has coarse function j a share of fine function i? */
+static int has_share(const kw_bspline *s, const kw_bspline *fine, int i, int j)
+{
+    double alpha[K];
+    int q = j - kw_insert_oslo_row(s, fine, i, alpha);
+
+    return 0 <= q && q <= s->d && alpha[q] != 0;
+}
+
+/* The fine functions that have a share of `count` coarse ones in direction h. They are among
+   those that are local to the cells of the support. */
+static void fine_range(const kw_mesh *m, int level, int h, int first, int count,
                        int *fine_first, int *fine_count)
 {
-    double *unused = kw_need_memory((size_t)fine->n, sizeof *unused);
-    int last;
+    const kw_mesh_level *l = &m->level[level], *fine = l + 1;
+    int d = l->s[h]->d, last = first + count - 1;
+    int from = fine->span[h][2 * l->edge[h][first]] - d;
+    int to = fine->span[h][2 * l->edge[h][last + d + 1] - 1];
 
-    *fine_count = kw_insert_two_scale(s, fine, first + count - 1, &last, unused);
-    last += *fine_count - 1;
-    kw_insert_two_scale(s, fine, first, fine_first, unused);
-    *fine_count = last - *fine_first + 1;
-    free(unused);
+    while (!has_share(l->s[h], fine->s[h], from, first))
+        from++;
+    while (!has_share(l->s[h], fine->s[h], to, last))
+        to--;
+    *fine_first = from;
+    *fine_count = to - from + 1;
 }
 
 /* The box that the two-scale relation makes of it on the next level. */
@@ -184,8 +210,8 @@ static box refined_box(const kw_mesh *m, const box *coarse)
         size_t n = (size_t)coarse->count[h], size;
         double *to, alpha[K];
 
-        fine_range(s, t, coarse->first[h], coarse->count[h], &fine.first[h],
-                   &fine.count[h]);
+        fine_range(m, coarse->level, h, coarse->first[h], coarse->count[h],
+                   &fine.first[h], &fine.count[h]);
         size = (size_t)fine.count[h];
         inner /= n;
         to = kw_need_memory(outer * size * inner, sizeof *to);
@@ -212,11 +238,10 @@ static box refined_box(const kw_mesh *m, const box *coarse)
     return fine;
 }
 
-/* Sets the coefficients of functions inside Omega^l to zero, where l is the level of the box;
-   returns whether one of them was not zero before. */
-static int truncate_box(const kw_hier *b, box *f)
+/* Sets the coefficients of functions inside Omega^l to zero, where l is the level of the box. */
+static void truncate_box(const kw_hier *b, box *f)
 {
-    int high[D_MOST] = {0}, j[D_MOST] = {0}, truncated = 0;
+    int high[D_MOST] = {0}, j[D_MOST] = {0};
     size_t at = 0;
 
     for (int h = 0; h < b->active->mesh->D; h++) {
@@ -224,45 +249,103 @@ static int truncate_box(const kw_hier *b, box *f)
         high[h] = f->first[h] + f->count[h];
     }
     do {
-        double *c = &f->c[at++];
-
-        if (kw_active_status(b->active, f->level, j) >= KW_ACTIVE_COVERED && *c != 0) {
-            *c = 0;
-            truncated = 1;
-        }
+        if (kw_active_status(b->active, f->level, j) >= KW_ACTIVE_COVERED)
+            f->c[at] = 0;
+        at++;
     } while (next_index(b->active->mesh->D, f->first, high, j));
-    return truncated;
 }
 
-/* Is a cell of `level` refined that lies in the support of function j of level `from`? */
-static int meets_support(const kw_mesh *m, int from, const int *j, int level)
+/* The local coefficients of a THB-spline on a cell of each level, on the way down. */
+typedef struct way {
+    const kw_hier *b;
+    int children;     /* of a cell */
+    double *c, *work; /* levels x local, local */
+} way;
+
+/* Cuts off what Definition 5 does from the coefficients on a cell. Returns 1 if one of them
+   was not zero, and sets *left to whether one is not zero still. */
+static int truncate_cell(const kw_active *a, int level, const int *cell, double *c,
+                         int *left)
 {
-    const kw_mesh_level *l = &m->level[from];
+    int is[KW_ACTIVE_LOCAL], cut = 0;
 
-    for (int i = 0; i < m->level[level].count; i++) {
-        int cell[D_MOST], meets = 1;
-
-        kw_mesh_multi(m, level, m->level[level].list[i], cell);
-        for (int h = 0; h < m->D; h++) {
-            int above = cell[h] >> (level - from);
-
-            meets = meets && l->edge[h][j[h]] <= above &&
-                    above < l->edge[h][j[h] + l->s[h]->d + 1];
+    *left = 0;
+    kw_active_of_cell(a, level, cell, is);
+    for (int f = 0; f < a->local; f++) {
+        if (is[f] >= KW_ACTIVE_COVERED) {
+            cut = cut || c[f] != 0;
+            c[f] = 0;
         }
-        if (meets)
-            return 1;
+        *left = *left || c[f] != 0;
     }
-    return 0;
+    return cut;
+}
+
+/* The finest level on which something is cut off below a cell whose coefficients are known, or
+   -1. It goes as deep as there are cells and something is left. */
+static int last_cut_below(const way *w, int level, const int *cell)
+{
+    const kw_mesh *m = w->b->active->mesh;
+    int local = w->b->active->local, last = -1;
+    double *here = w->c + (size_t)level * (size_t)local, *below = here + local;
+    kw_twoscale halves;
+
+    if (!kw_mesh_refined(m, level, cell))
+        return -1;
+    kw_twoscale_of_cell(m, level, cell, &halves);
+    for (int child = 0; child < w->children; child++) {
+        int at[D_MOST] = {0}, left, deeper = -1;
+
+        for (int h = 0; h < m->D; h++)
+            at[h] = 2 * cell[h] + (child >> h & 1);
+        memcpy(below, here, (size_t)local * sizeof *below);
+        kw_twoscale_apply(&halves, child, local, below, w->work);
+        if (truncate_cell(w->b->active, level + 1, at, below, &left))
+            last = last > level + 1 ? last : level + 1;
+        if (left)
+            deeper = last_cut_below(w, level + 1, at);
+        last = last > deeper ? last : deeper;
+    }
+    return last;
+}
+
+/* The last level on which something of function j is cut off; its own if nothing is. */
+static int last_cut(const kw_hier *b, int level, const int *j)
+{
+    const kw_mesh *m = b->active->mesh;
+    size_t local = (size_t)b->active->local;
+    way w = {b, 1 << m->D, kw_need_memory((size_t)m->levels * local, sizeof *w.c),
+             kw_need_memory(local, sizeof *w.work)};
+    double *c = w.c + (size_t)level * local;
+    int low[D_MOST] = {0}, high[D_MOST] = {0}, cell[D_MOST], last = level;
+
+    for (int h = 0; h < m->D; h++) {
+        low[h] = m->level[level].edge[h][j[h]];
+        high[h] = m->level[level].edge[h][j[h] + m->level[level].s[h]->d + 1];
+    }
+    memcpy(cell, low, sizeof cell);
+    do {
+        int place = place_in_cell(m, level, cell, j), below;
+
+        c[place] = 1;
+        below = last_cut_below(&w, level, cell);
+        c[place] = 0;
+        last = last > below ? last : below;
+    } while (next_index(m->D, low, high, cell));
+    free(w.c);
+    free(w.work);
+    return last;
 }
 
 int kw_hiergeo_new_representation(const kw_hier *b, int i, int *first, int *count,
                                   double **coefficient)
 {
     const kw_mesh *m = b->active->mesh;
-    box now = {0}, needed; /* as far as we are; the last one in which something was cut */
-    int level, j[D_MOST];
+    box now = {0};
+    int level, last, j[D_MOST];
 
     kw_active_function(b->active, i, &level, j);
+    last = last_cut(b, level, j);
     now.level = level;
     now.c = kw_need_memory(1, sizeof *now.c);
     now.c[0] = 1;
@@ -270,22 +353,15 @@ int kw_hiergeo_new_representation(const kw_hier *b, int i, int *first, int *coun
         now.first[h] = j[h];
         now.count[h] = 1;
     }
-    needed = now;
-    while (now.level + 1 < m->levels && meets_support(m, level, j, now.level)) {
+    while (now.level < last) {
         box next = refined_box(m, &now);
 
-        if (now.c != needed.c)
-            free(now.c);
-        now = next;
-        if (truncate_box(b, &now)) {
-            free(needed.c);
-            needed = now;
-        }
-    }
-    if (now.c != needed.c)
         free(now.c);
-    memcpy(first, needed.first, (size_t)m->D * sizeof *first);
-    memcpy(count, needed.count, (size_t)m->D * sizeof *count);
-    *coefficient = needed.c;
-    return needed.level;
+        now = next;
+        truncate_box(b, &now);
+    }
+    memcpy(first, now.first, (size_t)m->D * sizeof *first);
+    memcpy(count, now.count, (size_t)m->D * sizeof *count);
+    *coefficient = now.c;
+    return now.level;
 }

@@ -12,12 +12,14 @@ void kw_hiergeo_local(const kw_hier *b, kw_hier_kind kind, int N, const double *
                       int level, const int *cell, double *local);
 
 /* The same geometry on a finer mesh, whose domains contain those of b's mesh level by level:
-   from THB coefficients c in b to THB coefficients `out` in `fine`. They are read off: the
-   THB coefficient of tau_j^l is the coefficient of beta_j^l on any active cell of level l.
-   [Giannelli, Juettler, Speleers: Strongly stable bases for adaptively refined multilevel
-   spline spaces, Adv. Comput. Math. 40 (2014)] */
-void kw_hiergeo_refine(const kw_hier *b, const kw_hier *fine, int N, const double *c,
-                       double *out);
+   from coefficients c in b to coefficients `out`, fine->active->size x N, in `fine`, both of
+   the same kind. THB coefficients are read off: that of tau_j^l is the coefficient of beta_j^l
+   on any active cell of level l, and functions that stay keep theirs to the bit. An HB
+   coefficient is what the coarser HB-splines leave of this; it may change even if its function
+   stays, where a coarser one is dropped. [Giannelli, Juettler, Speleers: Strongly stable bases for
+   adaptively refined multilevel spline spaces, Adv. Comput. Math. 40 (2014)] */
+void kw_hiergeo_refine(const kw_hier *b, const kw_hier *fine, kw_hier_kind kind, int N,
+                       const double *c, double *out);
 
 /* The weights w[0..size-1] with which the HB-splines add up to one; there are no others. They
    are not negative but for rounding, and may be zero. */
@@ -25,7 +27,8 @@ void kw_hiergeo_weights(const kw_hier *b, double *w);
 
 /* THB-spline i in B-splines of one level, the coarsest on which nothing of it is left to be
    truncated; returns that level. The B-splines are those of the box first[h] <= j[h] <
-   first[h] + count[h]; *coefficient, row-major, is freed by the caller. */
+   first[h] + count[h]; *coefficient, row-major, is freed by the caller. Time and memory follow
+   the cells of all levels in the support and the size of the box. */
 int kw_hiergeo_new_representation(const kw_hier *b, int i, int *first, int *count,
                                   double **coefficient);
 

@@ -11,6 +11,19 @@ static void need_shape(int count, int out)
     KW_NEED(out >= 1, "%d outputs", out);
 }
 
+/* Target i of all, in rows of `out`: a number, or one of two signs. */
+static void need_number(ptrdiff_t i, int out, double target)
+{
+    KW_NEED(isfinite(target), "the target of output %td of sample %td is %g", i % out,
+            i / out, target);
+}
+
+static void need_sign(ptrdiff_t i, int out, double target)
+{
+    KW_NEED(target == 1 || target == -1, "the target of output %td of sample %td is %g",
+            i % out, i / out, target);
+}
+
 double kw_loss_squared(int count, int out, const double *y, const double *target,
                        double *dy)
 {
@@ -21,7 +34,7 @@ double kw_loss_squared(int count, int out, const double *y, const double *target
     for (ptrdiff_t i = 0; i < entries; i++) {
         double off = y[i] - target[i];
 
-        KW_NEED(isfinite(target[i]), "target %td is %g", i, target[i]);
+        need_number(i, out, target[i]);
         sum += off * off;
         if (dy)
             dy[i] = 2 * off / count;
@@ -29,16 +42,17 @@ double kw_loss_squared(int count, int out, const double *y, const double *target
     return sum / count;
 }
 
-/* The targets of one sample: probabilities. Returns their sum, one up to rounding. */
-static double need_probabilities(int out, const double *target)
+/* The targets of sample i: probabilities. Returns their sum, one up to rounding. */
+static double need_probabilities(int i, int out, const double *target)
 {
     double total = 0;
 
     for (int k = 0; k < out; k++) {
-        KW_NEED(target[k] >= 0, "the target of class %d is %g", k, target[k]);
+        KW_NEED(target[k] >= 0, "the target of class %d of sample %d is %g", k, i,
+                target[k]);
         total += target[k];
     }
-    KW_NEED(fabs(total - 1) <= 1e-6, "the targets of a sample add up to %g", total);
+    KW_NEED(fabs(total - 1) <= 1e-6, "the targets of sample %d add up to %g", i, total);
     return total;
 }
 
@@ -62,12 +76,13 @@ double kw_loss_cross_entropy(int count, int out, const double *y, const double *
     KW_NEED(out >= 2, "%d classes", out);
     for (int i = 0; i < count; i++) {
         const double *a = y + (ptrdiff_t)i * out, *t = target + (ptrdiff_t)i * out;
-        double most = largest(out, a), total = need_probabilities(out, t), scale = 0;
+        double most = largest(out, a), total = need_probabilities(i, out, t), scale = 0;
         double off = 0;
 
         for (int k = 0; k < out; k++) {
             scale += kw_exp(a[k] - most);
-            off += t[k] * (most - a[k]);
+            if (t[k] > 0) /* zero times a difference that overflows is NaN */
+                off += t[k] * (most - a[k]);
         }
         sum += total * kw_log(scale) + off;
         for (int k = 0; dy && k < out; k++)
@@ -75,11 +90,6 @@ double kw_loss_cross_entropy(int count, int out, const double *y, const double *
                 (total * (kw_exp(a[k] - most) / scale) - t[k]) / count;
     }
     return sum / count;
-}
-
-static void need_sign(ptrdiff_t i, double target)
-{
-    KW_NEED(target == 1 || target == -1, "target %td is %g", i, target);
 }
 
 double kw_loss_logistic(int count, int out, const double *y, const double *target,
@@ -90,7 +100,7 @@ double kw_loss_logistic(int count, int out, const double *y, const double *targe
 
     need_shape(count, out);
     for (ptrdiff_t i = 0; i < entries; i++) {
-        need_sign(i, target[i]);
+        need_sign(i, out, target[i]);
         sum += kw_activation_value(KW_SOFTPLUS, -target[i] * y[i]);
         if (dy)
             dy[i] =
@@ -110,7 +120,7 @@ double kw_loss_hinge(int count, int out, const double *y, const double *target,
     for (ptrdiff_t i = 0; i < entries; i++) {
         int safe = target[i] * y[i] >= 1;
 
-        need_sign(i, target[i]);
+        need_sign(i, out, target[i]);
         sum += safe ? 0 : 1 - target[i] * y[i];
         if (dy)
             dy[i] = safe ? 0 : -target[i] / count;
@@ -128,7 +138,7 @@ double kw_loss_perceptron(int count, int out, const double *y, const double *tar
     for (ptrdiff_t i = 0; i < entries; i++) {
         int right = (y[i] >= 0 && target[i] == 1) || (y[i] < 0 && target[i] == -1);
 
-        need_sign(i, target[i]);
+        need_sign(i, out, target[i]);
         sum += right ? 0 : -target[i] * y[i];
         if (dy)
             dy[i] = right ? 0 : -target[i] / count;

@@ -5,7 +5,8 @@
    count x out, is set to the derivative of that value with respect to y; NULL: not wanted.
 
    Targets are checked. Predictions are not: one that is NaN makes the value NaN, so that a
-   training that has run away can be told from one that has not. Sums are taken in the order
+   training that has run away can be told from one that has not; where the value is NaN, dy may
+   be any number (hinge and perceptron losses have -t / count there). Sums are taken in the order
    of the samples. */
 #ifndef KW_LOSS_H
 #define KW_LOSS_H

@@ -13,8 +13,8 @@
                itself the mesh may leave holes, ERRATA.md, ER-11)
      active    a cell of level l that lies in Omega^l and is not refined; the active cells
                tile the domain
-   Degrees are the same on all levels: with dyadic knots of the same multiplicity spaces of
-   different degree are not nested (source text, Remark 7).
+   Degrees are the same on all levels: with dyadic knots of the same multiplicity, inner knots
+   among them, spaces of different degree are not nested (source text, Remark 7).
 
    Memory follows the number of refined cells, and the number of knots of each direction. */
 #ifndef KW_MESH_H

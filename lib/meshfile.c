@@ -10,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a file may ask for, so that no short text takes the whole machine. */
-enum {
-    MOST_BYTES = 1 << 28,
-    MOST_IN_DIRECTION = 1 << 20, /* cells of a direction on one level */
-    MOST_CELLS = 1 << 26         /* on level 0; gone through by all refine lines */
-};
+/* Of all refine lines together: cells that kw_mesh_refine goes through. Half a minute. */
+enum { MOST_STEPS = 1 << 30 };
+
+/* A mesh within the limits is written with fewer characters, at most 25 for a knot of level 0 and
+   30, 48 or 66 for a refined cell, which counts as 2, 4 or 8 cells. */
+static const size_t most_bytes = (size_t)1 << 31;
 
 /* A text that is being read, and what is known of the mesh so far. */
 typedef struct reader {
@@ -29,7 +29,9 @@ typedef struct reader {
     int (*box)[1 + 2 * KW_TENSOR_D]; /* level, low, high of each refine line */
     int *box_line;                   /* the line it stands in */
     size_t boxes, room;
-    double walked; /* cells that the boxes used so far went through */
+    int levels;          /* for which there is room, the knots counted */
+    double knots, cells; /* of all levels of the mesh so far */
+    double steps;        /* cells that the boxes used so far went through */
 } reader;
 
 /* Notes what is wrong in the present line; always 1. */
@@ -206,23 +208,75 @@ static int read_line(reader *r, char *line)
     return complain(r, "`%.40s` is none of degree, knots, refine", word);
 }
 
+/* --- limits --- */
+
+static double knots_of_level(const kw_mesh *m, int level)
+{
+    double knots = 0;
+
+    for (int h = 0; h < m->D; h++)
+        knots += m->level[level].s[h]->n + m->level[level].s[h]->d + 1;
+    return knots;
+}
+
+/* The cells of Omega^level. */
+static double cells_of_level(const kw_mesh *m, int level)
+{
+    return (double)kw_mesh_active(m, level) + m->level[level].count;
+}
+
+/* Functions of level 0. */
+static double functions_of(int D, kw_bspline *const *s)
+{
+    double functions = 1;
+
+    for (int h = 0; h < D; h++)
+        functions *= s[h]->n;
+    return functions;
+}
+
+/* Can a file of this mesh be read again? 0, or 1 after a message on stderr. */
+static int check_limits(const kw_mesh *m, const char *path)
+{
+    double functions = functions_of(m->D, m->level[0].s), knots = 0, cells = 0;
+
+    for (int level = 0; level < m->levels; level++) {
+        knots += knots_of_level(m, level);
+        cells += cells_of_level(m, level);
+    }
+    if (functions <= KW_MESHFILE_CELLS && cells <= KW_MESHFILE_CELLS &&
+        knots <= KW_MESHFILE_KNOTS)
+        return 0;
+    fprintf(stderr,
+            "%s: not written: %.0f cells, %.0f functions on level 0, more than %d, or "
+            "%.0f knots, more than %d\n",
+            path, cells, functions, KW_MESHFILE_CELLS, knots, KW_MESHFILE_KNOTS);
+    return 1;
+}
+
 /* --- from lines to a mesh --- */
 
-/* Is there room for the level below `level` to be halved once more? Knots must have a number
+/* Is there room for the cells of `level` to be halved once more? Knots must have a number
    between them, and indices must stay small. */
 static int check_next_level(reader *r, const kw_mesh *m, int level)
 {
     const kw_mesh_level *l = &m->level[level];
-    double functions = 1;
+    double functions = 1, knots = knots_of_level(m, level);
 
+    for (int h = 0; h < m->D; h++) {
+        functions *= 2.0 * l->cells[h] + l->s[h]->d;
+        knots += l->cells[h];
+    }
+    r->knots += knots;
+    if (r->knots > KW_MESHFILE_KNOTS)
+        return complain(r, "with level %d the mesh would have %.0f knots, more than %d",
+                        level + 1, r->knots, KW_MESHFILE_KNOTS);
+    if (functions >= 0x1p62) /* as in kw_mesh_refine */
+        return complain(r, "level %d would have about %g functions", level + 1,
+                        functions);
     for (int h = 0; h < m->D; h++) {
         const double *t = l->s[h]->t;
 
-        if (l->cells[h] > MOST_IN_DIRECTION / 2)
-            return complain(r,
-                            "level %d would have %d cells in direction %d, more than %d",
-                            level + 1, 2 * l->cells[h], h, MOST_IN_DIRECTION);
-        functions *= 2.0 * l->cells[h] + l->s[h]->n;
         for (int i = 0; i < l->s[h]->n + l->s[h]->d; i++) {
             double middle = t[i] + (t[i + 1] - t[i]) / 2;
 
@@ -232,31 +286,93 @@ static int check_next_level(reader *r, const kw_mesh *m, int level)
                                 level + 1, t[i], t[i + 1]);
         }
     }
-    if (functions > 0x1p60)
-        return complain(r, "level %d would have about %g functions", level + 1,
-                        functions);
     return 0;
 }
 
-/* Counts the cells that kw_mesh_refine goes through. */
-static int check_work(reader *r, const kw_mesh *m, int level, const int *low,
-                      const int *high)
+/* How many cells of Omega^level a box holds, at most. */
+static double cells_of_box(const kw_mesh *m, int level, const int *low, const int *high)
 {
     double cells = 1;
 
     for (int h = 0; h < m->D; h++)
         cells *= high[h] - low[h];
-    if (level > 0)
-        cells = fmin(cells, (double)m->level[level - 1].count * (1 << m->D));
-    r->walked += cells;
-    if (r->walked > MOST_CELLS)
+    return fmin(cells, cells_of_level(m, level));
+}
+
+/* Counts the cells that a pass through a box goes through. */
+static int take_steps(reader *r, double cells)
+{
+    r->steps += cells;
+    if (r->steps > MOST_STEPS)
         return complain(r,
-                        "the boxes of level 0 to this one have %.0f cells, more than %d",
-                        r->walked, MOST_CELLS);
+                        "the boxes of level 0 to this one have %.0f cells, more than %d; "
+                        "name cells only once, in few large boxes",
+                        r->steps, MOST_STEPS);
     return 0;
 }
 
-static int use_box(reader *r, kw_mesh *m, const int *box)
+/* Steps to the next cell of a box, last direction first; 0 behind the last one. */
+static int next_cell(int D, const int *low, const int *high, int *cell)
+{
+    for (int h = D - 1; h >= 0; h--) {
+        if (++cell[h] < high[h])
+            return 1;
+        cell[h] = low[h];
+    }
+    return 0;
+}
+
+/* The cells of a box that kw_mesh_refine would refine, counted one by one. */
+static double new_cells(const kw_mesh *m, int level, const int *low, const int *high)
+{
+    int cell[KW_TENSOR_D] = {0};
+    double box = 1, found = 0;
+    long long count;
+    uint64_t *list;
+
+    for (int h = 0; h < m->D; h++) {
+        cell[h] = low[h];
+        box *= high[h] - low[h];
+    }
+    if (box <= cells_of_level(m, level)) {
+        do
+            found += kw_mesh_inside(m, level, cell) && !kw_mesh_refined(m, level, cell);
+        while (next_cell(m->D, low, high, cell));
+        return found;
+    }
+    list = kw_mesh_cells(m, level, &count);
+    for (long long i = 0; i < count; i++) {
+        int in_box = 1;
+
+        kw_mesh_multi(m, level, list[i], cell);
+        for (int h = 0; h < m->D; h++)
+            in_box = in_box && low[h] <= cell[h] && cell[h] < high[h];
+        found += in_box && !kw_mesh_refined(m, level, cell);
+    }
+    free(list);
+    return found;
+}
+
+/* Would too many cells be refined? They are counted only if it might be so. */
+static int check_cells(reader *r, const kw_mesh *m, int level, const int *low,
+                       const int *high)
+{
+    const int children = 1 << m->D;
+    double most = cells_of_box(m, level, low, high), cells = r->cells;
+
+    if (cells + most * children <= KW_MESHFILE_CELLS)
+        return 0;
+    if (take_steps(r, most))
+        return 1;
+    cells += new_cells(m, level, low, high) * children;
+    if (cells > KW_MESHFILE_CELLS)
+        return complain(r, "with this box the levels would have %.0f cells, more than %d",
+                        cells, KW_MESHFILE_CELLS);
+    return 0;
+}
+
+/* Is it a box of cells of its level? The levels before are complete. */
+static int check_box(reader *r, const kw_mesh *m, const int *box)
 {
     int level = box[0];
     const int *low = box + 1, *high = box + 1 + r->D;
@@ -273,18 +389,45 @@ static int use_box(reader *r, kw_mesh *m, const int *box)
             return complain(r, "an empty box: cells %d .. %d of direction %d", low[h],
                             high[h] - 1, h);
     }
-    if (check_work(r, m, level, low, high) ||
-        (level + 1 == m->levels && check_next_level(r, m, level)))
+    return take_steps(r, cells_of_box(m, level, low, high));
+}
+
+static int use_box(reader *r, kw_mesh *m, const int *box)
+{
+    int level = box[0];
+    const int *low = box + 1, *high = box + 1 + r->D;
+
+    if (check_cells(r, m, level, low, high))
         return 1;
-    kw_mesh_refine(m, level, low, high);
+    if (r->levels == level + 1) {
+        if (check_next_level(r, m, level))
+            return 1;
+        r->levels++;
+    }
+    r->cells += (double)kw_mesh_refine(m, level, low, high) * (1 << m->D);
     return 0;
+}
+
+/* All boxes of a level: first they are checked, so that too many steps are not begun. */
+static int use_level(reader *r, kw_mesh *m, int level)
+{
+    int failed = 0;
+
+    for (int use = 0; use < 2; use++)
+        for (size_t i = 0; i < r->boxes && !failed; i++) {
+            if (r->box[i][0] != level)
+                continue;
+            r->line = r->box_line[i];
+            failed = use ? use_box(r, m, r->box[i]) : check_box(r, m, r->box[i]);
+        }
+    return failed;
 }
 
 static kw_mesh *build(reader *r)
 {
     kw_tensor *g;
     kw_mesh *m;
-    double functions = 1;
+    double functions;
     int failed = 0, deepest = 0;
 
     r->line = 0; /* complaints on the file as a whole */
@@ -292,23 +435,22 @@ static kw_mesh *build(reader *r)
         complain(r, r->D == 0 ? "no `degree` line" : "fewer `knots` lines than degrees");
         return NULL;
     }
-    for (int h = 0; h < r->D; h++)
-        functions *= r->s[h]->n;
-    if (functions > MOST_CELLS) {
-        complain(r, "%.0f functions on level 0, more than %d", functions, MOST_CELLS);
+    functions = functions_of(r->D, r->s);
+    if (functions > KW_MESHFILE_CELLS) {
+        complain(r, "%.0f functions on level 0, more than %d", functions,
+                 KW_MESHFILE_CELLS);
         return NULL;
     }
     g = kw_tensor_new(r->D, (const kw_bspline *const *)r->s);
     m = kw_mesh_new(g);
     kw_tensor_free(g);
+    r->levels = 1;
+    r->knots = knots_of_level(m, 0);
+    r->cells = cells_of_level(m, 0);
     for (size_t i = 0; i < r->boxes; i++)
         deepest = r->box[i][0] > deepest ? r->box[i][0] : deepest;
     for (int level = 0; level <= deepest && !failed; level++)
-        for (size_t i = 0; i < r->boxes && !failed; i++) {
-            r->line = r->box_line[i];
-            if (r->box[i][0] == level)
-                failed = use_box(r, m, r->box[i]);
-        }
+        failed = use_level(r, m, level);
     if (failed) {
         kw_mesh_free(m);
         return NULL;
@@ -360,7 +502,7 @@ static char *read_file(const char *path, size_t *size)
     text = kw_need_memory(room, 1);
     *size = 0;
     errno = 0;
-    while (*size <= MOST_BYTES && (got = fread(text + *size, 1, room - *size, f)) > 0) {
+    while (*size <= most_bytes && (got = fread(text + *size, 1, room - *size, f)) > 0) {
         *size += got;
         if (*size == room) {
             char *more = realloc(text, room *= 2);
@@ -369,7 +511,7 @@ static char *read_file(const char *path, size_t *size)
             text = more;
         }
     }
-    error = *size > MOST_BYTES ? EFBIG : ferror(f) ? errno : 0;
+    error = *size > most_bytes ? EFBIG : ferror(f) ? errno : 0;
     fclose(f);
     if (error) { /* a directory, say */
         free(text);
@@ -430,8 +572,11 @@ static void write_level(kw_out *f, const kw_mesh *m, int level)
 
 int kw_meshfile_write(const kw_mesh *m, const char *path)
 {
-    kw_out *f = kw_out_new(path);
+    kw_out *f;
 
+    if (check_limits(m, path))
+        return 1;
+    f = kw_out_new(path);
     kw_out_text(f, "degree");
     for (int h = 0; h < m->D; h++)
         kw_out_text(f, " %d", m->level[0].s[h]->d);

@@ -1,5 +1,6 @@
 #include "mlp.h"
 #include "need.h"
+#include <stdlib.h>
 
 kw_net *kw_mlp_new(int L, const int *width, const kw_activation_kind *sigma)
 {
@@ -40,24 +41,61 @@ const kw_affine *kw_mlp_affine(const kw_net *n, int l, int *first)
     return &n->layer[i].is.affine;
 }
 
-int kw_mlp_count_weights(const kw_net *n, int l)
+/* --- counting by trial: all parameters are one, so that no two effects cancel --- */
+
+static double *ones(int count)
+{
+    double *a = kw_need_memory((size_t)count, sizeof *a);
+
+    for (int i = 0; i < count; i++)
+        a[i] = 1;
+    return a;
+}
+
+int kw_mlp_edges(const kw_net *n, int l, int *edge)
 {
     int first, count = 0;
     const kw_affine *a = kw_mlp_affine(n, l, &first);
+    double *w = ones(a->parameters), *x = kw_need_memory((size_t)a->in, sizeof *x);
+    double *rest = kw_need_memory((size_t)a->out, sizeof *rest);
+    double *y = kw_need_memory((size_t)a->out, sizeof *y);
 
-    for (int i = 0; i < a->out; i++)
-        for (int j = 0; j < a->in; j++)
-            count++; /* the edge from unit j of layer l-1 to unit i of layer l */
+    kw_affine_forward(a, w, 1, x, rest);
+    for (int j = 0; j < a->in; j++) {
+        x[j] = 1;
+        kw_affine_forward(a, w, 1, x, y);
+        x[j] = 0;
+        for (int i = 0; i < a->out; i++) {
+            count += y[i] != rest[i];
+            if (edge)
+                edge[i * a->in + j] = y[i] != rest[i];
+        }
+    }
+    free(w);
+    free(x);
+    free(rest);
+    free(y);
     return count;
+}
+
+int kw_mlp_count_weights(const kw_net *n, int l)
+{
+    return kw_mlp_edges(n, l, NULL);
 }
 
 int kw_mlp_count_biases(const kw_net *n, int l)
 {
     int first, count = 0;
     const kw_affine *a = kw_mlp_affine(n, l, &first);
+    double *w = ones(a->parameters), *x = kw_need_memory((size_t)a->in, sizeof *x);
+    double *y = kw_need_memory((size_t)a->out, sizeof *y);
 
+    kw_affine_forward(a, w, 1, x, y);
     for (int i = 0; i < a->out; i++)
-        count++;
+        count += y[i] != 0;
+    free(w);
+    free(x);
+    free(y);
     return count;
 }
 

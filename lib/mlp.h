@@ -20,12 +20,18 @@ int kw_mlp_depth(const kw_net *n);
 /* The affine map of layer l = 1 .. L: W^(l) stands in w from `first` on, b^(l) behind it. */
 const kw_affine *kw_mlp_affine(const kw_net *n, int l, int *first);
 
-/* The parameters of layer l that exist, counted one by one along the graph: the edges from
-   the units of layer l-1 to those of layer l, a weight each; the units with a bias. */
+/* The edges into layer l, found by trial: there is one from unit j of layer l-1 to unit i of
+   layer l if a change of the former changes the sum at the latter. edge[i * m_{l-1} + j] is
+   set to 1 or 0 (NULL: not wanted). Returns how many there are. The trial sends a sample
+   through the layer for each unit of layer l-1, and takes memory for a moment. */
+int kw_mlp_edges(const kw_net *n, int l, int *edge);
+
+/* The parameters of layer l that exist, by trial: its edges, a weight each; the units with a
+   bias, those with a sum that is not zero when all that they receive is zero. */
 int kw_mlp_count_weights(const kw_net *n, int l);
 int kw_mlp_count_biases(const kw_net *n, int l);
 
-/* #LP, their sum over all layers. */
+/* #LP, their sum over all layers; the length of w is n->parameters. */
 int kw_mlp_count(const kw_net *n);
 
 #endif

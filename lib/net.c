@@ -145,6 +145,9 @@ kw_net_work *kw_net_work_new(const kw_net *n, int count)
     KW_NEED(count >= 1, "%d samples", count);
     k->layers = n->layers;
     k->count = count;
+    k->out = kw_need_memory((size_t)n->layers, sizeof *k->out);
+    for (int l = 0; l < n->layers; l++)
+        k->out[l] = n->layer[l].out;
     k->value = kw_need_memory((size_t)n->layers, sizeof(double *));
     for (int l = 0; l + 1 < n->layers; l++) {
         size_t size = (size_t)count * (size_t)n->layer[l].out;
@@ -164,9 +167,18 @@ void kw_net_work_free(kw_net_work *k)
     for (int l = 0; l < k->layers; l++)
         free(k->value[l]);
     free(k->value);
+    free(k->out);
     free(k->derivative[0]);
     free(k->derivative[1]);
     free(k);
+}
+
+static void need_memory_for(const kw_net_work *k, const kw_net *n)
+{
+    KW_NEED(n->layers == k->layers, "%d layers, memory for %d", n->layers, k->layers);
+    for (int l = 0; l < n->layers; l++)
+        KW_NEED(n->layer[l].out == k->out[l], "layer %d gives %d numbers, memory for %d",
+                l, n->layer[l].out, k->out[l]);
 }
 
 static void layer_forward(const kw_layer *l, const double *w, int count, const double *x,
@@ -220,7 +232,7 @@ void kw_net_forward(const kw_net *n, const double *w, int count, const double *x
 {
     const double *from = x;
 
-    KW_NEED(n->layers == k->layers, "%d layers, memory for %d", n->layers, k->layers);
+    need_memory_for(k, n);
     KW_NEED(1 <= count && count <= k->count, "%d samples, not in 1 .. %d", count,
             k->count);
     for (int s = 0; s < count; s++)
@@ -244,7 +256,7 @@ void kw_net_backward(const kw_net *n, const double *w, int count, const double *
 {
     const double *from = dy; /* with respect to what layer l gives */
 
-    KW_NEED(n->layers == k->layers, "%d layers, memory for %d", n->layers, k->layers);
+    need_memory_for(k, n);
     KW_NEED(count == k->used, "%d samples back, %d forward", count, k->used);
     for (int l = n->layers - 1; l >= 0; l--) {
         const double *given = l + 1 < n->layers ? k->value[l] : y;

@@ -78,6 +78,7 @@ void kw_net_init(const kw_net *n, uint64_t seed, double *w);
    is complete. */
 typedef struct kw_net_work {
     int layers, count;
+    int *out;              /* of each layer; owned */
     int used;              /* samples that were last sent forward */
     double **value;        /* value[l]: what layer l gives, all but the last; owned */
     double *derivative[2]; /* with respect to what two neighbouring layers give; owned */
@@ -86,7 +87,8 @@ typedef struct kw_net_work {
 kw_net_work *kw_net_work_new(const kw_net *n, int count);
 void kw_net_work_free(kw_net_work *k);
 
-/* y of the samples x, which are finite. The net has a layer; 1 <= count <= k->count. */
+/* y of the samples x, which are finite. The net has a layer; 1 <= count <= k->count. k was
+   made for this net or for one whose layers give as many numbers each. */
 void kw_net_forward(const kw_net *n, const double *w, int count, const double *x,
                     kw_net_work *k, double *y);
 

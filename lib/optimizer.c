@@ -60,9 +60,12 @@ static void adam(const kw_optimizer *o, const double *restrict dw, double *restr
     double *restrict v = o->v, *restrict s = o->s;
 
     for (int i = 0; i < o->parameters; i++) {
+        double size;
+
         v[i] = keep * v[i] + (1 - keep) * dw[i];
         s[i] = keep2 * s[i] + (1 - keep2) * dw[i] * dw[i];
-        w[i] -= rate * (v[i] / seen) / (sqrt(s[i] / seen2) + least);
+        size = sqrt(s[i] / seen2) + least;
+        w[i] -= size != 0 ? rate * (v[i] / seen) / size : 0;
     }
 }
 
@@ -71,6 +74,7 @@ void kw_optimizer_step(kw_optimizer *o, const double *restrict dw, double *restr
     KW_NEED(o->rate > 0 && isfinite(o->rate), "rate %g", o->rate);
     KW_NEED(0 <= o->momentum && o->momentum < 1, "momentum %g", o->momentum);
     KW_NEED(0 <= o->memory && o->memory < 1, "memory %g", o->memory);
+    KW_NEED(o->floor >= 0 && isfinite(o->floor), "floor %g", o->floor);
     o->steps++;
     o->power *= o->momentum;
     o->power2 *= o->memory;

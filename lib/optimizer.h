@@ -20,7 +20,7 @@ typedef struct kw_optimizer {
     double rate;          /* of the next step; the caller may change it between steps */
     double momentum;      /* what v keeps of itself, 0.9; in [0,1) */
     double memory;        /* what s keeps of itself, 0.999; in [0,1) */
-    double floor;         /* 1e-8: keeps Adam from dividing by zero */
+    double floor;         /* 1e-8: keeps Adam from dividing by zero; >= 0 */
     int parameters;       /* how many */
     long long steps;      /* taken so far */
     double power, power2; /* momentum^steps, memory^steps */
@@ -31,7 +31,8 @@ typedef struct kw_optimizer {
 kw_optimizer *kw_optimizer_new(kw_method method, int parameters, double rate);
 void kw_optimizer_free(kw_optimizer *o);
 
-/* One step: w and the gradient dw have o->parameters entries. */
+/* One step: w and the gradient dw have o->parameters entries. With floor 0, Adam leaves an entry
+   where it is whose s is zero. */
 void kw_optimizer_step(kw_optimizer *o, const double *restrict dw, double *restrict w);
 
 #endif

@@ -1,11 +1,18 @@
 #include "perceptron.h"
 #include "need.h"
 #include <math.h>
+#include <stddef.h>
 
-static void need_data(int m, int count)
+static void need_data(int m, int count, const double *P, const double *x)
 {
     KW_NEED(m >= 1, "m = %d", m);
     KW_NEED(count >= 1, "%d samples", count);
+    for (int i = 0; i < count; i++) {
+        KW_NEED(x[i] == 1 || x[i] == -1, "label %d is %g", i, x[i]);
+        for (int j = 0; j < m; j++)
+            KW_NEED(isfinite(P[(ptrdiff_t)i * m + j]), "feature %d of sample %d is %g", j,
+                    i, P[(ptrdiff_t)i * m + j]);
+    }
 }
 
 double kw_perceptron_sum(int m, const double *w, const double *p)
@@ -46,13 +53,13 @@ long long kw_perceptron_train(int m, int count, const double *P, const double *x
     long long mistakes = 0, before = -1;
     int pass = 0;
 
-    need_data(m, count);
+    need_data(m, count, P, x);
     KW_NEED(passes >= 1, "%d passes", passes);
     while (pass < passes && mistakes != before) {
         before = mistakes;
         pass++;
         for (int i = 0; i < count; i++)
-            mistakes += kw_perceptron_update(m, rate, P + i * m, x[i], w) != 0;
+            mistakes += kw_perceptron_update(m, rate, P + (ptrdiff_t)i * m, x[i], w) != 0;
     }
     *clean = mistakes == before ? pass : 0;
     return mistakes;
@@ -72,12 +79,13 @@ double kw_perceptron_margin(int m, int count, const double *P, const double *x,
 {
     double least = INFINITY, length;
 
-    need_data(m, count);
+    need_data(m, count, P, x);
     length = norm(m, w, w[m]);
     KW_NEED(length > 0, "the norm of w is %g", length);
     for (int i = 0; i < count; i++) {
-        KW_NEED(x[i] == 1 || x[i] == -1, "label %d is %g", i, x[i]);
-        least = fmin(least, x[i] * kw_perceptron_sum(m, w, P + i * m) / length);
+        const double *p = P + (ptrdiff_t)i * m;
+
+        least = fmin(least, x[i] * kw_perceptron_sum(m, w, p) / length);
     }
     return least;
 }
@@ -89,6 +97,6 @@ double kw_perceptron_bound(int m, int count, const double *P, const double *x,
 
     KW_NEED(margin > 0, "the margin of u is %g", margin);
     for (int i = 0; i < count; i++)
-        most = fmax(most, norm(m, P + i * m, 1));
+        most = fmax(most, norm(m, P + (ptrdiff_t)i * m, 1));
     return most / margin * (most / margin);
 }

@@ -32,6 +32,10 @@ kw_train *kw_train_new(const kw_train_plan *plan)
     kw_train *t;
     size_t values;
 
+    KW_NEED(plan->objective, "no objective");
+    KW_NEED(plan->training_sample, "no list of training samples");
+    KW_NEED(plan->validation_sample || plan->validation == 0,
+            "no list of %d validation samples", plan->validation);
     KW_NEED(plan->parameters >= 1, "%d parameters", plan->parameters);
     KW_NEED(plan->training >= 1, "%d training samples", plan->training);
     KW_NEED(plan->validation >= 0, "%d validation samples", plan->validation);

@@ -19,10 +19,10 @@ good() {
     echo '@book{farin2002,' >chapters/references.bib
     echo 'int twice(int a)' >lib/twice.c
     : >chapters/1-one/shown.c
-    : >chapters/1-one/shown.gp
+    echo 'set xlabel "x_2" offset 1,0' >chapters/1-one/shown.gp
     : >chapters/1-one/told.c
     : >chapters/1-one/listed.c
-    : >figures/shown.svg
+    echo '<tspan>x</tspan>' >figures/shown.svg
     echo '[listed](chapters/1-one/listed.c)' >README.md
     cat >chapters/1-one/chapter.md <<'END'
 # One
@@ -80,6 +80,8 @@ echo 'extra.c' >>README.md
 defect "a picture that no chapter shows" figures/extra.svg 'in no chapter'
 : >chapters/1-one/told.gp
 defect "a plot without a picture" told.gp 'no committed figures/told.svg'
+echo 'set ylabel "how often"' >>chapters/1-one/shown.gp
+defect "a label that is not in the picture" figures/shown.svg "'how often'"
 edit 's/told.c/told/'
 defect "a driver that nobody names" told.c 'named in no chapter'
 echo >README.md

@@ -2,7 +2,7 @@
 # chapters_test.sh [CHAPTERS] -- what a chapter's text refers to is there: ledger ids,
 # functions, pictures, sources. Every picture is in some chapter, with a caption; every driver is
 # named in a chapter or in README.md; and no number of two digits or more is typed by hand in
-# a chapter. Runs in the folder of README.md and figures/.
+# a chapter; every label of an axis stands in the picture. Runs in the folder of README.md and figures/.
 #
 # In a chapter.md
 #   [id]{.ours} and [id]{.printed}               take a number from the ledger
@@ -48,6 +48,14 @@ check_text() {
         grep -nE '(^|[^A-Za-z0-9_.])[0-9]{2,}' | sed "s|^|$text types a number by hand, line |"
 }
 
+# check_labels PLOT PICTURE -- a line for every axis whose label the picture lacks: gnuplot drops
+# one that has no room, without a word. Looked for up to its first index, as in x_2.
+check_labels() {
+    grep -oE 'set [xyz]label "[^"]+"' "$1" | cut -d'"' -f2 | while read -r label; do
+        grep -qF -e ">${label%%_*}<" "$2" || echo "$2 lacks the label '$label' of $1"
+    done
+}
+
 # names NAME FILE ... -- is NAME.c or NAME.svg in one of the files?
 names() {
     name=$1
@@ -67,7 +75,11 @@ names() {
     done
     for plot in "$chapters"/*/*.gp; do
         name=$(basename "$plot" .gp)
-        [ -f "figures/$name.svg" ] || echo "$plot has no committed figures/$name.svg"
+        if [ -f "figures/$name.svg" ]; then
+            check_labels "$plot" "figures/$name.svg"
+        else
+            echo "$plot has no committed figures/$name.svg"
+        fi
     done
     for driver in "$chapters"/*/*.c; do
         name=$(basename "$driver" .c)

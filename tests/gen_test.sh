@@ -104,20 +104,55 @@ call count --mesh all.mesh
 printf 'level,active_cells,functions\n0,0,0\n1,0,0\n2,4,5\n' | same "counts where all is refined"
 
 # --- a short file that asks for too much ---
-awk 'BEGIN {
-    print "degree 15 15 15"
-    for (h = 0; h < 3; h++) {
-        printf "knots"
-        for (i = 0; i <= 36; i++)
-            printf " %d", (i < 16 ? 0 : 20 < i ? 6 : i - 15)
-        print ""
-    }
-}' >heavy.mesh
-printf 'x1,x2,x3\n1,1,1\n' >heavy.csv
+# grid D DEGREE CELLS [TO] -- a mesh of unit cells, open knots; the cells below TO are refined
+grid() {
+    awk -v D="$1" -v d="$2" -v n="$3" -v to="${4:-0}" 'BEGIN {
+        knots = "knots"
+        for (i = -d; i <= n + d; i++)
+            knots = knots " " (i < 0 ? 0 : n < i ? n : i)
+        for (h = 0; h < D; h++) {
+            degree = degree " " d
+            all = all knots "\n"
+            low = low " 0"
+            high = high " " to
+        }
+        printf "degree%s\n%s", degree, all
+        if (to > 0)
+            print "refine 0 " low " " high
+    }'
+}
+printf 'x1,x2\n1,1\n' >one2.csv
+printf 'x1,x2,x3\n1,1,1\n' >one3.csv
+# heavy NAME TEXT D DEGREE CELLS [TO] -- neither counted nor evaluated, but refused with TEXT
+heavy() {
+    name=$1 text=$2
+    shift 2
+    grid "$@" >heavy.mesh
+    call count --mesh heavy.mesh
+    bad 1 "no counts: $name" "heavy.mesh$text"
+    call reference --mesh heavy.mesh --at "one$1.csv" --basis thb
+    bad 1 "no values: $name" "heavy.mesh$text"
+}
+heavy "all of 400^3 cells refined" ':5: with this box the levels would have 576000000 cells' 3 0 400 400
+heavy "all of 200^3 cells refined" ':5: with this box the levels would have 72000000 cells' 3 2 200 200
+heavy "8190^2 cells" ': its basis needs about 4.56e+09 bytes, more than 4.29e+09' 2 0 8190
+heavy "degree 5 on 180^3 cells" ': its basis needs about 1.26e+09 steps, more than 1.07e+09' 3 5 180
+grid 3 15 6 >heavy.mesh
 call count --mesh heavy.mesh
 printf 'level,active_cells,functions\n0,216,9261\n' | same "counts of degree 15 in space"
-call reference --mesh heavy.mesh --at heavy.csv --basis thb
-bad 1 "more memory than a machine has" 'heavy.mesh: its basis needs about 3e+10 bytes'
+grid 3 15 20 >heavy.mesh
+call reference --mesh heavy.mesh --at one3.csv --basis thb
+bad 1 "no values: degree 15 in space" 'heavy.mesh: its basis needs about 1.34e+11 numbers, more than 3.44e+10'
+grid 3 5 40 20 >heavy.mesh
+call reference --mesh heavy.mesh --at one3.csv --basis thb
+bad 1 "no values: coarser functions on many cells" 'heavy.mesh: its basis needs about'
+# Of local^2 numbers a cell it would take 8.6e9 bytes, but nothing is carried from level to level.
+grid 3 3 64 >cubic.mesh
+call reference --mesh cubic.mesh --at one3.csv --basis thb
+sums "values on 64^3 cells" 's < 1 - 1e-14 || s > 1 + 1e-14' 1
+grid 3 3 20 8 >cubic.mesh
+call reference --mesh cubic.mesh --at one3.csv --basis thb
+sums "values on 20^3 cells, some refined" 's < 1 - 1e-14 || s > 1 + 1e-14' 1
 
 # --- values by hand ---
 # Degree 1 on [0,1], [1,2]; the right cell is halved. Level 0 keeps the hats at 0 and at 1;
@@ -318,6 +353,9 @@ points "an empty line" '3: `'"' has 0 columns, not 2" 'x1,x2\n0,0\n\n'
 points "one column" '2: `0.5'"' has 1 columns, not 2" 'x1,x2\n0.5\n'
 points "three columns" '2: `0,0,0'"' has 3 columns, not 2" 'x1,x2\n0,0,0\n'
 points "an empty column" '2: x2 is `'"', which is no number" 'x1,x2\n0,\n'
+points "a blank behind a comma" '2: x2 is ` '"', which is no number" 'x1,x2\n0.5, \n'
+points "a blank before a comma" '2: x1 is ` '"', which is no number" 'x1,x2\n ,0\n'
+points "a tab" '3: x2 is `	'"', which is no number" 'x1,x2\n0,0\n0,\t\n'
 points "a word" '4: x1 is `a'"', which is no number" 'x1,x2\n0,0\n1,1\na,0\n'
 points "a number with more behind it" '2: x2 is `1e'"', which is no number" 'x1,x2\n0,1e\n'
 points "a hexadecimal number" '2: x1 is `0x1'"', which is no number" 'x1,x2\n0x1,1\n'
@@ -329,6 +367,13 @@ points "behind the domain" '3: x2 is 4.1, outside the domain [0, 4]' 'x1,x2\n4,4
 points "a zero byte" '2: a zero byte' 'x1,x2\n0\0000,0\n'
 points "a very long line" '2: more than 1000 characters' "x1,x2\n0,%02000d\n"
 points "a very long header" '1: more than 1000 characters' "%02000d"
+printf 'x1\n \n' >blank.csv
+call reference --mesh hats.mesh --at blank.csv --basis thb
+bad 1 "points: a blank line" 'blank.csv:2: x1 is ` '"', which is no number"
+printf 'x1,x2\n 0.5 ,\t1\t\n' >blank.csv
+call reference --mesh cell.mesh --at blank.csv --basis thb
+printf 'point,level,j1,j2,value\n0,0,0,2,0.25\n0,0,1,2,0.5\n0,0,2,2,0.25\n' |
+    same "blanks around numbers"
 call reference --mesh boxes.mesh --at . --basis thb
 bad 1 "a folder for points" '.: Is a directory'
 call reference --mesh boxes.mesh --at none --basis thb

@@ -169,6 +169,27 @@ static void nan_gives_nan(void)
     }
 }
 
+/* Made of constant pieces, a derivative is that of the left piece. */
+static void nan_has_the_derivative_that_is_promised(void)
+{
+    for (int i = 0; i < KW_ACTIVATION_KINDS; i++) {
+        double d = kw_activation_derivative(kind_at(i), NAN);
+
+        switch (kind_at(i)) {
+        case KW_IDENTITY:
+        case KW_SIGN:
+        case KW_STEP:
+        case KW_RELU:
+        case KW_LEAKY_RELU:
+            CHECK(d == kw_activation_derivative(kind_at(i), -1), "%s'(NaN) = %g",
+                  kw_activation_name(kind_at(i)), d);
+            break;
+        default:
+            CHECK(isnan(d), "%s'(NaN) = %g", kw_activation_name(kind_at(i)), d);
+        }
+    }
+}
+
 static void names_are_different(void)
 {
     for (int i = 0; i < KW_ACTIVATION_KINDS; i++)
@@ -267,6 +288,8 @@ int main(void)
              derivatives_at_zero_are_from_the_left);
     test_run("activation: derivatives far out", derivatives_far_out);
     test_run("activation: a NaN gives a NaN", nan_gives_nan);
+    test_run("activation: NaN has the derivative that is promised",
+             nan_has_the_derivative_that_is_promised);
     test_run("activation: names are different", names_are_different);
     test_run("activation: the layer is the function", the_layer_is_the_function);
     test_run("activation: misuse aborts", misuse_aborts);

@@ -150,6 +150,24 @@ static void small_examples(void)
     CHECK(y == -2, "%g", y);
 }
 
+/* The order of NumPy's `same' would be 1, 12, 23. */
+static void an_even_filter_is_turned_in_its_place(void)
+{
+    const double filter[] = {1, 10}, signal[] = {1, 2, 3};
+    kw_conv l = kw_conv_layer((kw_conv){.in_channels = 1,
+                                        .rows = 1,
+                                        .columns = 3,
+                                        .out_channels = 1,
+                                        .filter_rows = 1,
+                                        .filter_columns = 2,
+                                        .stride = 1,
+                                        .padding = KW_CONV_SAME});
+    double y[3] = {NAN, NAN, NAN};
+
+    kw_conv_convolve(&l, filter, signal, y);
+    CHECK(y[0] == 12 && y[1] == 23 && y[2] == 30, "%g %g %g", y[0], y[1], y[2]);
+}
+
 /* --- shapes --- */
 
 /* (3 -> 8 maps of 32 x 32, filter 5 x 3): sizes and counts by hand. */
@@ -246,6 +264,8 @@ int main(void)
     test_run("conv: a filter of the size of the grid gives (22)",
              equal_sizes_give_equation_22);
     test_run("conv: two small examples by hand", small_examples);
+    test_run("conv: an even filter is turned in its place",
+             an_even_filter_is_turned_in_its_place);
     test_run("conv: sizes and counts by hand", sizes_are_those_by_hand);
     test_run("conv: circular layers move with their input, to the bit",
              circular_layers_move_with_their_input);

@@ -1,10 +1,9 @@
 /* Eigenvalues in closed form, and what must hold for every symmetric matrix.
 
-   Bounds: with at most 10 sweeps (test_eigen counts on n <= 24; each of the last ones
-   squares what is left, and the first few bring it down) value and vector are exact for a
-   matrix that differs from A by 14 (10) n u |A| in the Frobenius norm (eigen.h). An
+   Bounds: with at most SWEEPS sweeps, which are counted, value and vector are exact for a
+   matrix that differs from A by 14 SWEEPS n u |A| in the Frobenius norm (eigen.h). An
    eigenvalue then is off by at most as much, and a residual too; the same product of
-   rotations makes the rows orthonormal up to 7 (10) n u. */
+   rotations makes the rows orthonormal up to 7 SWEEPS n u. */
 #include "eigen.h"
 #include "graphmatrix.h"
 #include "graphs.h"
@@ -14,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 2 * MOST };
+enum { SIDE = 2 * MOST, SWEEPS = 10 };
 
 static const double U = DBL_EPSILON / 2, PI = 3.14159265358979323846;
 
@@ -29,13 +28,13 @@ static double norm(int count, const double *a)
 
 static double backward(int n, const double *A)
 {
-    return 140 * n * U * norm(n * n, A);
+    return 14 * SWEEPS * n * U * norm(n * n, A);
 }
 
 /* Ascending; A v = value v; rows orthonormal; signs as promised. */
 static void check_pairs(int n, const double *A, const double *value, const double *vector)
 {
-    double orthogonal = 140 * n * U, off = backward(n, A);
+    double orthogonal = 14 * SWEEPS * n * U, off = backward(n, A);
 
     for (int k = 0; k < n; k++) {
         const double *v = vector + (size_t)k * (size_t)n;
@@ -67,11 +66,13 @@ static void check_pairs(int n, const double *A, const double *value, const doubl
 static void solve(int n, const double *A, double *value, double *vector)
 {
     double work[SIDE * SIDE];
+    int sweeps;
 
     memcpy(work, A, (size_t)n * (size_t)n * sizeof *A);
     test_poison(value, n);
     test_poison(vector, n * n);
-    kw_eigen_symmetric(n, work, value, vector);
+    sweeps = kw_eigen_symmetric(n, work, value, vector);
+    CHECK(sweeps <= SWEEPS, "%d sweeps", sweeps);
     check_pairs(n, A, value, vector);
 }
 
@@ -262,6 +263,7 @@ static void diagonal_matrices_are_sorted(void)
     solve(2, zero, value, vector);
     CHECK(value[0] == 0 && value[1] == 0, "%g, %g", value[0], value[1]);
     solve(1, one, value, vector);
+    CHECK(kw_eigen_symmetric(1, one, value, vector) == 0, "%g", one[0]);
     CHECK(value[0] == -5 && vector[0] == 1, "%g, %g", value[0], vector[0]);
 }
 
@@ -274,6 +276,25 @@ static void one_rotation(void)
     CHECK(value[0] == 1 && value[1] == 3, "%.17g, %.17g", value[0], value[1]);
     CHECK(vector[0] == -vector[1] && vector[2] == vector[3], "%g, %g, %g, %g", vector[0],
           vector[1], vector[2], vector[3]);
+}
+
+/* Near the bound nothing overflows. */
+static void large_entries(void)
+{
+    double A[] = {3, 1, 1, 3}, value[2], vector[4];
+
+    for (int i = 0; i < 4; i++)
+        A[i] *= ldexp(1, 1019); /* 3 2^1019 is below 2^1021, the bound for n = 2 */
+    CHECK(kw_eigen_symmetric(2, A, value, vector) == 1, "%g", value[0]);
+    CHECK(value[0] == ldexp(1, 1020) && value[1] == ldexp(1, 1021), "%g, %g", value[0],
+          value[1]);
+}
+
+static void too_large(void)
+{
+    double A[] = {1.5e308, 1e308, 1e308, -1.5e308}, value[2], vector[4];
+
+    kw_eigen_symmetric(2, A, value, vector);
 }
 
 static void unequal(void)
@@ -302,6 +323,7 @@ static void mistakes_are_named(void)
     test_aborts("entry (1,0) is 3, (0,1) is 2", unequal);
     test_aborts("entry (1,0) is nan", not_a_number);
     test_aborts("n = 0", of_nothing);
+    test_aborts("n = 2, an entry of size 1.5e+308", too_large);
 }
 
 int main(void)
@@ -317,6 +339,7 @@ int main(void)
     test_run("eigen: diagonal matrices are sorted, exactly",
              diagonal_matrices_are_sorted);
     test_run("eigen: one rotation", one_rotation);
+    test_run("eigen: large entries", large_entries);
     test_run("eigen: mistakes abort and are named", mistakes_are_named);
     return test_end();
 }

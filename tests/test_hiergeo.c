@@ -170,7 +170,7 @@ static void check_refined(const bases *q, const bases *fine, kw_rng *r, const do
     double *out = room_for(fine->size + GUARD, sizeof *out), x[D_MOST], a, b;
 
     poison(out, fine->size);
-    kw_hiergeo_refine(q->b, fine->b, 1, c, out);
+    kw_hiergeo_refine(q->b, fine->b, KW_THB, 1, c, out);
     CHECK(written(out, fine->size), "%d functions", fine->size);
     for (int p = 0; p < PLACES; p++) {
         int order[D_MOST] = {0}, n = 2 * truncated_roundings(m) + change_roundings(m);
@@ -220,6 +220,81 @@ static void refined(const bases *q, kw_rng *r)
 static void refinement(void)
 {
     over_meshes(refined);
+}
+
+/* HB coefficients on uniform meshes of degree 1 and 2, all of them small integers, at points
+   that are multiples of 1/16: nothing is rounded, and we ask for equality. */
+static void check_exactly_refined(const bases *q, const bases *fine, kw_rng *r)
+{
+    enum { N = 2, PARTS = 16 };
+    double *c = room_for(N * q->size, sizeof *c), x[D_MOST], a[N], b[N];
+    double *out = room_for(N * fine->size + GUARD, sizeof *out);
+
+    for (int i = 0; i < N * q->size; i++)
+        c[i] = kw_rng_below(r, 9) - 4;
+    poison(out, N * fine->size);
+    kw_hiergeo_refine(q->b, fine->b, KW_HB, N, c, out);
+    CHECK(written(out, N * fine->size), "%d functions", fine->size);
+    for (int p = 0; p < PLACES; p++) {
+        for (int h = 0; h < q->w.D; h++)
+            x[h] =
+                kw_rng_below(r, PARTS * q->w.mesh->level[0].cells[h] + 1) / (double)PARTS;
+        geometry_at(q->b, KW_HB, N, c, NULL, x, a);
+        geometry_at(fine->b, KW_HB, N, out, NULL, x, b);
+        for (int k = 0; k < N; k++)
+            CHECK(a[k] == b[k], "D = %d: %.17g, %.17g", q->w.D, a[k], b[k]);
+    }
+    for (int i = 0; i < N * q->size && q == fine; i++)
+        CHECK(out[i] == c[i], "number %d: %g, %g", i, out[i], c[i]);
+    free(c);
+    free(out);
+}
+
+static void refinement_of_hb(void)
+{
+    for (int D = 1; D <= D_MOST; D++)
+        for (int sample = 0; sample < MESHES; sample++) {
+            kw_rng r = kw_rng_at(43, (uint64_t)D, (uint64_t)sample, 0);
+            twin w = twin_new(meshes_uniform(D, 1 + sample % 2, 8 >> D), 4 - D), more;
+            bases q, fine;
+
+            refine_at_random(&r, &w);
+            more = w;
+            more.mesh = kw_mesh_new_copy(w.mesh);
+            q = bases_of(w);
+            refine_at_random(&r, &more);
+            fine = bases_of(more);
+            check_exactly_refined(&q, &fine, &r);
+            check_exactly_refined(&q, &q, &r); /* to itself */
+            kw_hier_free(fine.b);
+            kw_mesh_free(more.mesh);
+            bases_free(&q);
+        }
+}
+
+/* Two cells of degree 1, everything refined on [0,2]: beta_1 = fine beta_2 + half of its
+   neighbours. Where the first cell was refined before, the fine function in its middle stays,
+   and its coefficient grows by what beta_1 brought. */
+static void hb_coefficients_may_change(void)
+{
+    static const double c[] = {1, 0, 0, 0};
+    twin w = twin_new(meshes_uniform(1, 1, 2), 1);
+    kw_hier *b, *fine;
+    double out[5];
+
+    refine_cube(&w, 0, 0, 1);
+    b = kw_hier_new(w.mesh);
+    CHECK(b->active->size == 4 && b->active->start[1] == 2, "%d", b->active->size);
+    refine_cube(&w, 0, 0, 2);
+    fine = kw_hier_new(w.mesh);
+    CHECK(fine->active->size == 5 && fine->active->start[1] == 0, "%d",
+          fine->active->size);
+    kw_hiergeo_refine(b, fine, KW_HB, 1, c, out); /* beta_1 of level 0 */
+    for (int i = 0; i < 5; i++)
+        CHECK(out[i] == (i == 2 ? 1 : i % 2 ? 0.5 : 0), "function %d: %g", i, out[i]);
+    kw_hier_free(b);
+    kw_hier_free(fine);
+    twin_free(&w);
 }
 
 /* --- polynomials --- */
@@ -367,21 +442,21 @@ static void coarser(void)
 {
     double out[64];
 
-    kw_hiergeo_refine(small(2, 3, 3), small(2, 3, 0), 1, NONE, out);
+    kw_hiergeo_refine(small(2, 3, 3), small(2, 3, 0), KW_THB, 1, NONE, out);
 }
 
 static void elsewhere(void)
 {
     double out[64];
 
-    kw_hiergeo_refine(small(2, 3, 3), small(2, 3, 1), 1, NONE, out);
+    kw_hiergeo_refine(small(2, 3, 3), small(2, 3, 1), KW_THB, 1, NONE, out);
 }
 
 static void other_space(void)
 {
     double out[64];
 
-    kw_hiergeo_refine(small(2, 3, 0), small(1, 3, 0), 1, NONE, out);
+    kw_hiergeo_refine(small(2, 3, 0), small(1, 3, 0), KW_THB, 1, NONE, out);
 }
 
 static void level_beyond(void)
@@ -414,6 +489,9 @@ int main(void)
     test_run("hiergeo: local coefficients give the geometry, on finer cells too",
              local_coefficients);
     test_run("hiergeo: refinement leaves the geometry where it is", refinement);
+    test_run("hiergeo: refinement of HB-splines, without any rounding", refinement_of_hb);
+    test_run("hiergeo: HB coefficients of functions that stay may change",
+             hb_coefficients_may_change);
     test_run("hiergeo: polynomials are reproduced", polynomials);
     test_run("hiergeo: with the weights HB-splines add up to one", weights_add_up);
     test_run("hiergeo: weights vanish on two small meshes", weights_may_vanish);

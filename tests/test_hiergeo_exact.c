@@ -149,6 +149,49 @@ static void one_function(void)
     }
 }
 
+/* The index of beta_{i,j} of level 0. */
+static int at_level_0(const kw_hier *b, int i, int j)
+{
+    const int both[] = {i, j};
+
+    return kw_active_find(b->active, 0, both);
+}
+
+/* Eight by eight cells of degree 2, the cells on the diagonal refined twelve times. In no cell is
+   room for a function, but in the corners: from (5,5) nothing is cut, and from (1,1), with the
+   knots 0,0,1,2, the corner's share of level 1 alone. A dense box of the last level would have
+   2^28 coefficients. */
+static void deep_and_narrow(void)
+{
+    static const double line[] = {1.0 / 2, 3.0 / 4, 1.0 / 4};
+    kw_tensor *g = meshes_uniform(2, 2, 8);
+    kw_mesh *m = kw_mesh_new(g);
+    kw_hier *b;
+    int first[2], count[2], level;
+    double *c;
+
+    for (int l = 0; l < 12; l++)
+        for (int i = 0; i < 8 << l; i++) {
+            const int low[] = {i, i}, high[] = {i + 1, i + 1};
+
+            kw_mesh_refine(m, l, low, high);
+        }
+    b = kw_hier_new(m);
+    level = kw_hiergeo_new_representation(b, at_level_0(b, 5, 5), first, count, &c);
+    CHECK(level == 0 && count[0] == 1 && count[1] == 1 && c[0] == 1, "level %d: %d x %d",
+          level, count[0], count[1]);
+    free(c);
+    level = kw_hiergeo_new_representation(b, at_level_0(b, 1, 1), first, count, &c);
+    CHECK(level == 1 && count[0] == 3 && count[1] == 3, "level %d: %d x %d", level,
+          count[0], count[1]);
+    for (int i = 0; i < 9; i++)
+        CHECK(c[i] == (i > 0 ? line[i / 3] * line[i % 3] : 0), "%d: %g", i, c[i]);
+    free(c);
+    kw_hier_free(b);
+    kw_mesh_free(m);
+    kw_tensor_free(g);
+}
+
 static void function_beyond(void)
 {
     int first[2], count[2];
@@ -169,6 +212,8 @@ int main(void)
     test_run("hiergeo: in two directions representations are exact", two_directions);
     test_run("hiergeo: in three directions representations are exact", three_directions);
     test_run("hiergeo: what is not truncated represents itself", one_function);
+    test_run("hiergeo: on a deep and narrow mesh representations stay small",
+             deep_and_narrow);
     test_run("hiergeo: a function that is none aborts", misuse_aborts);
     return test_end();
 }

@@ -237,6 +237,31 @@ static void large_logits_do_not_overflow(void)
     CHECK(dy[0] == 1, "%g", dy[0]);
 }
 
+/* A difference of logits that overflows counts only where its target is not zero. */
+static void huge_logits_have_a_loss(void)
+{
+    const double y[] = {1e308, -1e308}, right[] = {1, 0}, wrong[] = {0, 1};
+    double dy[2];
+
+    CHECK(kw_loss_cross_entropy(1, 2, y, right, dy) == 0, "right");
+    CHECK(dy[0] == 0 && dy[1] == 0, "%g %g", dy[0], dy[1]);
+    CHECK(kw_loss_cross_entropy(1, 2, y, wrong, dy) == INFINITY, "wrong");
+    CHECK(dy[0] == 1 && dy[1] == -1, "%g %g", dy[0], dy[1]);
+}
+
+/* The value is what tells; the derivative is -t / count, as promised. */
+static void kinked_losses_pass_no_nan_back(void)
+{
+    const double y[] = {NAN, NAN}, target[] = {1, -1};
+    double dy[2];
+
+    for (int i = 0; i < LOSSES; i++)
+        if (LOSS[i].kinked) {
+            CHECK(isnan(LOSS[i].loss(2, 1, y, target, dy)), "%s", LOSS[i].name);
+            CHECK(dy[0] == -0.5 && dy[1] == 0.5, "%s: %g %g", LOSS[i].name, dy[0], dy[1]);
+        }
+}
+
 static void a_prediction_that_is_nan_shows(void)
 {
     for (int i = 0; i < LOSSES; i++)
@@ -273,14 +298,14 @@ static void expect(const char *text, kw_loss *loss, double first, double second)
 
 static void misuse_aborts(void)
 {
-    expect("target 1 is nan", kw_loss_squared, 0, NAN);
-    expect("target 0 is -inf", kw_loss_squared, -INFINITY, 0);
-    expect("the target of class 1 is -0.5", kw_loss_cross_entropy, 1.5, -0.5);
-    expect("the target of class 0 is nan", kw_loss_cross_entropy, NAN, 1);
-    expect("add up to 1.5", kw_loss_cross_entropy, 1, 0.5);
-    expect("target 1 is 0", kw_loss_logistic, 1, 0);
-    expect("target 0 is nan", kw_loss_hinge, NAN, 1);
-    expect("target 1 is 2", kw_loss_perceptron, 1, 2);
+    expect("the target of output 1 of sample 0 is nan", kw_loss_squared, 0, NAN);
+    expect("the target of output 0 of sample 0 is -inf", kw_loss_squared, -INFINITY, 0);
+    expect("the target of class 1 of sample 0 is -0.5", kw_loss_cross_entropy, 1.5, -0.5);
+    expect("the target of class 0 of sample 0 is nan", kw_loss_cross_entropy, NAN, 1);
+    expect("the targets of sample 0 add up to 1.5", kw_loss_cross_entropy, 1, 0.5);
+    expect("the target of output 1 of sample 0 is 0", kw_loss_logistic, 1, 0);
+    expect("the target of output 0 of sample 0 is nan", kw_loss_hinge, NAN, 1);
+    expect("the target of output 1 of sample 0 is 2", kw_loss_perceptron, 1, 2);
     for (int i = 0; i < LOSSES; i++) {
         count = 0;
         expect("0 samples", LOSS[i].loss, 1, 1);
@@ -289,7 +314,11 @@ static void misuse_aborts(void)
         expect("0 outputs", LOSS[i].loss, 1, 1);
         out = 2;
     }
+    count = 2;
     out = 1;
+    expect("the target of output 0 of sample 1 is inf", kw_loss_squared, 0, INFINITY);
+    expect("the target of output 0 of sample 1 is 2", kw_loss_hinge, 1, 2);
+    count = out = 1;
     expect("1 classes", kw_loss_cross_entropy, 1, 0);
 }
 
@@ -310,6 +339,8 @@ int main(void)
              cross_entropy_does_not_see_a_shift);
     test_run("loss: two classes are a special case", two_classes_are_a_special_case);
     test_run("loss: large logits do not overflow", large_logits_do_not_overflow);
+    test_run("loss: huge logits have a loss", huge_logits_have_a_loss);
+    test_run("loss: kinked losses pass no NaN back", kinked_losses_pass_no_nan_back);
     test_run("loss: a prediction that is NaN shows", a_prediction_that_is_nan_shows);
     test_run("loss: misuse aborts and names the value", misuse_aborts);
     return test_end();

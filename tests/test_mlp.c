@@ -32,6 +32,32 @@ static void parameters_are_counted(void)
     }
 }
 
+/* What a layer says of its number of parameters has no part in the count. */
+static void the_count_is_a_trial(void)
+{
+    const int width[] = {2, 3, 1};
+    kw_net *n = kw_mlp_new(2, width, TANH);
+
+    n->layer[0].is.affine.parameters = n->layer[0].parameters = 20;
+    n->parameters = 24;
+    CHECK(kw_mlp_count(n) == 13, "%d", kw_mlp_count(n));
+    kw_net_free(n);
+}
+
+static void edges_are_those_of_all_units_with_all(void)
+{
+    const int width[] = {4, 3};
+    kw_net *n = kw_mlp_new(1, width, TANH);
+    int edge[12 + 1] = {0};
+
+    edge[12] = 17;
+    CHECK(kw_mlp_edges(n, 1, edge) == 12, "%d", kw_mlp_edges(n, 1, edge));
+    for (int e = 0; e < 12; e++)
+        CHECK(edge[e] == 1, "edge %d: %d", e, edge[e]);
+    CHECK(edge[12] == 17, "%d behind the end", edge[12]);
+    kw_net_free(n);
+}
+
 static void random_widths(kw_rng *r, int *L, int *width)
 {
     *L = 1 + kw_rng_below(r, MOST);
@@ -212,6 +238,9 @@ static void misuse_aborts(void)
 int main(void)
 {
     test_run("mlp: parameters are counted", parameters_are_counted);
+    test_run("mlp: the count is a trial", the_count_is_a_trial);
+    test_run("mlp: edges are those of all units with all",
+             edges_are_those_of_all_units_with_all);
     test_run("mlp: every parameter has its place", every_parameter_has_its_place);
     test_run("mlp: forward is Definition 10", forward_is_definition_10);
     test_run("mlp: a perceptron is one layer", a_perceptron_is_one_layer);

@@ -222,6 +222,32 @@ static void memory_of_another_net(void)
     kw_net_forward(n, number, 1, number, k, number);
 }
 
+/* 1 - out - 1 */
+static kw_net *as_wide_as(int out)
+{
+    kw_net *n = kw_net_new(1);
+
+    kw_net_add_affine(n, out);
+    kw_net_add_affine(n, 1);
+    return n;
+}
+
+static void memory_of_a_narrow_net(void)
+{
+    kw_net_forward(as_wide_as(20), number, 1, number, kw_net_work_new(as_wide_as(2), 1),
+                   number);
+}
+
+static void back_with_the_memory_of_a_narrow_net(void)
+{
+    kw_net *narrow = as_wide_as(2);
+    kw_net_work *k = kw_net_work_new(narrow, 1);
+    double dw[61];
+
+    kw_net_forward(narrow, number, 1, number, k, number);
+    kw_net_backward(as_wide_as(20), number, 1, number, number, number, k, NULL, dw);
+}
+
 static void back_without_forth(void)
 {
     kw_net *n = new_net(KW_TANH);
@@ -267,6 +293,9 @@ static void misuse_aborts(void)
     test_aborts("3 samples, not in 1 .. 2", too_many_samples);
     test_aborts("0 samples", memory_for_none);
     test_aborts("6 layers, memory for 5", memory_of_another_net);
+    test_aborts("layer 0 gives 20 numbers, memory for 2", memory_of_a_narrow_net);
+    test_aborts("layer 0 gives 20 numbers, memory for 2",
+                back_with_the_memory_of_a_narrow_net);
     test_aborts("1 samples back, 0 forward", back_without_forth);
     test_aborts("0 layers", no_layers);
     test_aborts("in = 0", no_inputs);

@@ -122,6 +122,23 @@ static void adam_begins_with_the_rate(void)
     kw_optimizer_free(o);
 }
 
+/* No gradient, no step: zero over zero is none. A gradient that is NaN stays one. */
+static void adam_without_floor(void)
+{
+    const double g[] = {0, 4, -1e-200, NAN};
+    kw_optimizer *o = kw_optimizer_new(KW_ADAM, 4, 0.5);
+    double w[] = {7, 0, 7, 0};
+
+    o->floor = 0;
+    kw_optimizer_step(o, g, w);
+    CHECK(w[0] == 7, "%g", w[0]);
+    /* 0.5 up to the ten roundings of the step */
+    CHECK(fabs(w[1] + 0.5) <= 10 * 0x1p-53, "%.17g", w[1]);
+    CHECK(w[2] == 7, "%g", w[2]); /* its square is zero */
+    CHECK(isnan(w[3]), "%g", w[3]);
+    kw_optimizer_free(o);
+}
+
 /* Convergence on a quadratic with the condition number 16. */
 static void all_of_them_descend(void)
 {
@@ -163,7 +180,7 @@ static void negative_rate(void)
     kw_optimizer_new(KW_DESCENT, 1, -0.5);
 }
 
-static void step_with(double rate, double momentum, double memory)
+static void step_with(double rate, double momentum, double memory, double floor)
 {
     kw_optimizer *o = kw_optimizer_new(KW_ADAM, 1, 1);
     const double g[] = {1};
@@ -172,23 +189,39 @@ static void step_with(double rate, double momentum, double memory)
     o->rate = rate;
     o->momentum = momentum;
     o->memory = memory;
+    o->floor = floor;
     kw_optimizer_step(o, g, w);
     kw_optimizer_free(o);
 }
 
 static void nan_rate(void)
 {
-    step_with(NAN, 0.9, 0.999);
+    step_with(NAN, 0.9, 0.999, 0);
 }
 
 static void full_momentum(void)
 {
-    step_with(1, 1, 0.999);
+    step_with(1, 1, 0.999, 0);
 }
 
 static void full_memory(void)
 {
-    step_with(1, 0.9, 1);
+    step_with(1, 0.9, 1, 0);
+}
+
+static void nan_floor(void)
+{
+    step_with(1, 0.9, 0.999, NAN);
+}
+
+static void negative_floor(void)
+{
+    step_with(1, 0.9, 0.999, -1e-8);
+}
+
+static void infinite_floor(void)
+{
+    step_with(1, 0.9, 0.999, INFINITY);
 }
 
 static void misuse_aborts(void)
@@ -199,6 +232,9 @@ static void misuse_aborts(void)
     test_aborts("rate nan", nan_rate);
     test_aborts("momentum 1", full_momentum);
     test_aborts("memory 1", full_memory);
+    test_aborts("floor nan", nan_floor);
+    test_aborts("floor -1e-08", negative_floor);
+    test_aborts("floor inf", infinite_floor);
 }
 
 int main(void)
@@ -209,6 +245,7 @@ int main(void)
              without_memory_momentum_is_descent);
     test_run("optimizer: Adam is the published one", adam_is_the_published_one);
     test_run("optimizer: Adam's first step is the rate", adam_begins_with_the_rate);
+    test_run("optimizer: Adam without floor", adam_without_floor);
     test_run("optimizer: all of them descend", all_of_them_descend);
     test_run("optimizer: freeing NULL is fine", free_of_nothing);
     test_run("optimizer: misuse aborts and names the value", misuse_aborts);

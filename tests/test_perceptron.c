@@ -252,6 +252,35 @@ static void no_passes(void)
     kw_perceptron_train(1, 2, P1, X1, 1, 0, w, &clean);
 }
 
+static void train_on(const double *P, const double *x)
+{
+    double w[] = {0, 1};
+    int clean;
+
+    kw_perceptron_train(1, 2, P, x, 1, 1, w, &clean);
+}
+
+static void nan_feature_in_a_set(void)
+{
+    const double P[] = {1, NAN};
+
+    train_on(P, X1);
+}
+
+static void infinite_feature_in_a_set(void)
+{
+    const double P[] = {-INFINITY, 1};
+
+    train_on(P, X1);
+}
+
+static void strange_label_in_a_set(void)
+{
+    const double x[] = {1, 0};
+
+    train_on(P1, x);
+}
+
 static void zero_normal(void)
 {
     const double w[] = {0, 0};
@@ -273,6 +302,9 @@ static void misuse_aborts(void)
     test_aborts("the sum is", infinite_feature);
     test_aborts("label 0", strange_label);
     test_aborts("label 1 is nan", nan_label);
+    test_aborts("label 1 is 0", strange_label_in_a_set);
+    test_aborts("feature 0 of sample 1 is nan", nan_feature_in_a_set);
+    test_aborts("feature 0 of sample 0 is -inf", infinite_feature_in_a_set);
     test_aborts("rate 0", no_rate);
     test_aborts("0 samples", no_samples);
     test_aborts("0 passes", no_passes);

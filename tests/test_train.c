@@ -367,6 +367,15 @@ static void misuse_aborts(void)
 
     bad = good;
     test_aborts("the optimizer has 2 parameters, the plan 1", wrong_optimizer);
+    bad.objective = NULL;
+    test_aborts("no objective", make);
+    bad = good;
+    bad.training_sample = NULL;
+    test_aborts("no list of training samples", make);
+    bad = good;
+    bad.validation = 2;
+    test_aborts("no list of 2 validation samples", make);
+    bad = good;
     bad.parameters = 0;
     test_aborts("0 parameters", make);
     bad = good;
@@ -374,6 +383,7 @@ static void misuse_aborts(void)
     test_aborts("0 training samples", make);
     bad = good;
     bad.validation = -1;
+    bad.validation_sample = shared;
     test_aborts("-1 validation samples", make);
     bad = good;
     bad.epochs = -2;

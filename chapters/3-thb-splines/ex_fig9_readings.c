@@ -255,6 +255,8 @@ int main(void)
     search_all(f, report);
     report_uniform(report);
     report_cubic(report);
+    kw_out_section(f, "printed", "hierarchical tensor");
+    write_dot(f, HIERARCHICAL, TENSOR);
     kw_out_section(f, "marked", "hierarchical tensor");
     report_figure(f, report);
     report_small(f, report);

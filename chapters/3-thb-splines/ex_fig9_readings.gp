@@ -1,16 +1,17 @@
-# Figure 9, other readings -- sections: meshes, marked (hierarchical, tensor)
+# Figure 9, other readings -- sections: meshes, printed, marked (hierarchical, tensor)
 set terminal svg size 640,420 font "DejaVu Sans,11" background rgb "white"
 set output image
+stats data index "printed" using (hierarchical = $1, tensor = $2) nooutput
 set xlabel "dimension of the hierarchical space"
 set ylabel "dimension of the tensor product"
 set xrange [0:1200]
 set yrange [0:1200]
 set xtics 200
 set ytics 200
-set arrow from 184,0 to 184,1200 nohead lw 1 lc rgb RED
-set arrow from 0,729 to 1200,729 nohead lw 1 lc rgb RED
-set label "184" at 184,1200 center offset 0,0.7 tc rgb RED
-set label "729" at 1200,729 left offset 0.6,0 tc rgb RED
+set arrow from hierarchical,0 to hierarchical,1200 nohead lw 1 lc rgb RED
+set arrow from 0,tensor to 1200,tensor nohead lw 1 lc rgb RED
+set label sprintf("%d", hierarchical) at hierarchical,1200 center offset 0,0.7 tc rgb RED
+set label sprintf("%d", tensor) at 1200,tensor left offset 0.6,0 tc rgb RED
 set rmargin 6
 name(row) = row == 0 ? "Figure 9" : "on 4 × 4 cells"
 x(row) = row == 0 ? 600 : 420 # where the name stands

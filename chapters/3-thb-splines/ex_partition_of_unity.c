@@ -3,9 +3,9 @@
    What to see: the sum of all HB-splines rises above one wherever functions of two levels
    overlap; the sum of all THB-splines is one everywhere.
 
-   Book: section 1.1, the text behind Figure 9 and before (18), (19).
+   Book: section 1.1, the text behind Figure 9 and before (18), (19); (17).
    Claims: hb.unity.*, hb.nonnegative, thb.unity, thb.nonnegative, thb.below,
-   thb.dimensions
+   thb.dimensions, thb.kept, thb.local, thb.vanishing
    Chosen here: 4 x 4 cells of bi-degree (2,2), refined twice, in the picture. In D = 1, 2, 3
    each 20 random meshes, where roundings are bounded, and 20 dyadic ones of degree 1 and 2 with
    points that are multiples of 1/64, where nothing is rounded and we ask for equality. */
@@ -171,11 +171,54 @@ static int is_affine(const kw_hier *b, int N, int points, const double *x)
     return equal;
 }
 
-/* Pairs (D, N) for which (19) holds on all meshes, and meshes on which the HB-splines add up to
-   more than one somewhere. */
+/* What truncation must not do: change a function where its own level is active, leave something
+   where the function is zero, or leave nothing at all. */
+typedef struct truncated {
+    int changed, outside, vanishing;
+} truncated;
+
+/* The functions at x, those of all levels. */
+static void look_at_point(const kw_hier *b, const double *x, truncated *all)
+{
+    int cell[KW_TENSOR_D], here = kw_mesh_locate(b->active->mesh, x, cell);
+
+    for (int i = 0; i < b->active->size; i++) {
+        int level, j[KW_TENSOR_D];
+        double beta = kw_hier_one(b, KW_HB, i, NULL, x);
+        double tau = kw_hier_one(b, KW_THB, i, NULL, x);
+
+        kw_active_function(b->active, i, &level, j);
+        all->changed += level == here && tau != beta;
+        all->outside += beta == 0 && tau != 0;
+    }
+}
+
+/* The functions that are zero in the middle of an active cell of their level. */
+static int count_vanishing(const kw_hier *b)
+{
+    int vanishing = 0;
+
+    for (int i = 0; i < b->active->size; i++) {
+        int cell[KW_TENSOR_D], level = kw_active_cell(b->active, i, cell);
+        double x[KW_TENSOR_D];
+
+        for (int h = 0; h < b->active->mesh->D; h++) {
+            double low, high;
+
+            cell_ends(b->active->mesh, level, h, cell[h], &low, &high);
+            x[h] = (low + high) / 2;
+        }
+        vanishing += kw_hier_one(b, KW_THB, i, NULL, x) == 0;
+    }
+    return vanishing;
+}
+
+/* Pairs (D, N) for which (19) holds on all meshes, meshes on which the HB-splines add up to more
+   than one somewhere, and what truncation leaves. */
 static void report_dyadic(kw_out *report)
 {
     int pairs = 0, lost = 0;
+    truncated all = {0, 0, 0};
 
     for (int D = 1; D <= KW_TENSOR_D; D++) {
         int holds[N_MOST] = {1, 1, 1};
@@ -188,8 +231,11 @@ static void report_dyadic(kw_out *report)
 
             for (int q = 0; q < POINTS * D; q++)
                 x[q] = (double)kw_rng_below(&r, PARTS + 1) / PARTS;
-            for (int p = 0; p < POINTS; p++)
+            for (int p = 0; p < POINTS; p++) {
                 most = fmax(most, sum_at(b, KW_HB, x + p * D, &least));
+                look_at_point(b, x + p * D, &all);
+            }
+            all.vanishing += count_vanishing(b);
             lost += most > 1;
             for (int N = 1; N <= N_MOST; N++)
                 holds[N - 1] = holds[N - 1] && is_affine(b, N, POINTS, x);
@@ -201,6 +247,9 @@ static void report_dyadic(kw_out *report)
     }
     kw_claim_count(report, "thb.dimensions", pairs);
     kw_claim_count(report, "hb.unity.lost", lost);
+    kw_claim_count(report, "thb.kept", all.changed);
+    kw_claim_count(report, "thb.local", all.outside);
+    kw_claim_count(report, "thb.vanishing", all.vanishing);
 }
 
 int main(void)

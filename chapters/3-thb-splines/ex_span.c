@@ -2,7 +2,7 @@
    different degree are nested only with more knots.
 
    Book: section 1.1, Remark 7, (12), Definition 4, (18).
-   Claims: hb.rank, thb.rank, thb.span*, hb.nested.*, thb.coefficients
+   Claims: hb.rank, hb.larger, thb.rank, thb.span*, hb.nested.*, thb.coefficients
    Chosen here: 20, 10 and 3 random meshes in D = 1, 2 and 3, of degrees 1 to 3 in turn, on 8, 4
    and 2 cells a direction, with up to three levels. */
 
@@ -76,6 +76,7 @@ static int rank_together(const values *a, const values *b, double *slack)
 typedef struct findings {
     int meshes, hb, thb,
         together; /* meshes where a rank is not the number of functions */
+    int larger;   /* meshes with more functions than the finest level has */
     double slack, coefficients;
 } findings;
 
@@ -85,6 +86,7 @@ static void look_at(const kw_hier *b, findings *all)
     int n = b->active->size;
 
     all->meshes++;
+    all->larger += n > hb.points; /* a point for each function of the finest level */
     all->hb += rank_together(&hb, &hb, &all->slack) != n;
     all->thb += rank_together(&thb, &thb, &all->slack) != n;
     all->together += rank_together(&hb, &thb, &all->slack) != n;
@@ -155,7 +157,7 @@ static double coefficient_error(const kw_hier *b)
 
     for (int i = 0; i < start->active->size; i++)
         greville(start->active, i, c + i * D);
-    kw_hiergeo_refine(start, b, D, c, fine);
+    kw_hiergeo_refine(start, b, KW_THB, D, c, fine);
     for (int i = 0; i < n; i++) {
         double point[KW_TENSOR_D];
 
@@ -174,7 +176,7 @@ static double coefficient_error(const kw_hier *b)
 int main(void)
 {
     kw_out *report = kw_claim_new("ex_span");
-    findings all = {0, 0, 0, 0, 0, 0};
+    findings all = {0, 0, 0, 0, 0, 0, 0};
 
     for (int D = 1; D <= KW_TENSOR_D; D++)
         for (uint64_t i = 0; i < MESHES[D - 1]; i++) {
@@ -188,6 +190,7 @@ int main(void)
         }
     kw_claim_count(report, "thb.span.meshes", all.meshes);
     kw_claim_count(report, "hb.rank", all.hb);
+    kw_claim_count(report, "hb.larger", all.larger);
     kw_claim_count(report, "thb.rank", all.thb);
     kw_claim_count(report, "thb.span", all.together);
     kw_claim_real(report, "thb.span.slack", all.slack);

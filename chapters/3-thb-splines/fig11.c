@@ -141,6 +141,7 @@ int main(void)
     kw_claim_count(report, "thb.fig11.most.hb", overlaps(b, KW_HB, &sum_hb));
     kw_claim_count(report, "thb.fig11.most.thb", overlaps(b, KW_THB, &sum_thb));
     kw_claim_true(report, "thb.fig11.less", sum_thb < sum_hb);
+    kw_claim_count(report, "thb.fig11.reduced", sum_hb - sum_thb);
 
     kw_hier_free(b);
     kw_mesh_free(m);

@@ -1,4 +1,4 @@
-/* bench.h -- processor time, as the median of several runs. Only ratios within one run of
+/* bench.h -- processor time, as the median and the least of several runs. Only ratios within one run of
    the program mean much. */
 #ifndef BENCH_H
 #define BENCH_H
@@ -29,8 +29,13 @@ static inline int bench_ascending(const void *a, const void *b)
     return (*p > *q) - (*p < *q);
 }
 
-/* The median time of work(with) in nanoseconds, after a run that warms up. */
-static inline double bench_median(bench_work *work, void *with)
+/* Times in nanoseconds. The least is that of the run that was disturbed least. */
+typedef struct bench_time {
+    double least, median;
+} bench_time;
+
+/* The times of work(with), after a run that warms up. */
+static inline bench_time bench_run(bench_work *work, void *with)
 {
     volatile double kept = work(with);
     double time[BENCH_MOST], begin = bench_now(), start = begin;
@@ -46,7 +51,12 @@ static inline double bench_median(bench_work *work, void *with)
     }
     (void)kept;
     qsort(time, (size_t)runs, sizeof *time, bench_ascending);
-    return time[runs / 2];
+    return (bench_time){.least = time[0], .median = time[runs / 2]};
+}
+
+static inline double bench_median(bench_work *work, void *with)
+{
+    return bench_run(work, with).median;
 }
 
 #endif

@@ -3,7 +3,8 @@
    nanosecond that a plain loop reaches in the same run, which follows the clock of the
    processor; the last column compares a step with the time its products take at the peak.
 
-   The aim is a net 2-64-64-1, at -O3: at most 2 us a sample. */
+   The aim is a net 2-64-64-1, at -O3: both ways in at most AIM nanoseconds a sample, in the
+   least disturbed of the runs. */
 #include "bench.h"
 #include "elementary.h"
 #include "mlp.h"
@@ -11,7 +12,7 @@
 #include "wide.h"
 #include <stdio.h>
 
-enum { ROUNDS = 50000, SUMS = 96, NUMBERS = 4096, L = 3, BATCH = 256 };
+enum { ROUNDS = 50000, SUMS = 96, NUMBERS = 4096, L = 3, BATCH = 256, AIM = 2000 };
 
 /* --- the peak --- */
 
@@ -106,7 +107,8 @@ static void measure(const int *width)
 {
     const kw_activation_kind sigma[L] = {KW_TANH, KW_TANH, KW_IDENTITY};
     task t = {.n = kw_mlp_new(L, width, sigma)};
-    double ahead, both, most = peak();
+    bench_time ahead, both;
+    double most = peak();
 
     t.k = kw_net_work_new(t.n, BATCH);
     t.w = filled(t.n->parameters);
@@ -115,11 +117,12 @@ static void measure(const int *width)
     t.y = filled(BATCH * t.n->out);
     t.dy = filled(BATCH * t.n->out);
     kw_net_init(t.n, 1, t.w);
-    ahead = bench_median(forward, &t) / BATCH;
-    both = bench_median(step, &t) / BATCH;
-    printf("%2d-%3d-%3d-%d %12.0f %14.0f %15.0f %9.1f %10.0f %%\n", width[0], width[1],
-           width[2], width[3], ahead, both, products(t.n), most,
-           100 * products(t.n) / both / most);
+    ahead = bench_run(forward, &t);
+    both = bench_run(step, &t);
+    printf("%2d-%3d-%3d-%d %6.0f %6.0f %8.0f %6.0f %15.0f %9.1f %10.0f %%\n", width[0],
+           width[1], width[2], width[3], ahead.least / BATCH, ahead.median / BATCH,
+           both.least / BATCH, both.median / BATCH, products(t.n), most,
+           100 * products(t.n) * BATCH / both.median / most);
     fflush(stdout);
     kw_net_work_free(t.k);
     kw_net_free(t.n);
@@ -139,7 +142,11 @@ int main(void)
         v.x[i] = 4.0 * (i * 37 % NUMBERS) / NUMBERS - 2;
     printf("tanh nets, %d samples, per sample; tanh alone takes %.2f ns a number\n",
            BATCH, bench_median(run_tanh, &v) / NUMBERS);
-    printf("shape          forward ns   both ways ns   multiply-adds   peak/ns  of the "
+    printf("in nanoseconds, the least and the median of the runs; the aim for 2-64-64-1, "
+           "both "
+           "ways: at most %d\n",
+           AIM);
+    printf("shape           forward       both ways   multiply-adds   peak/ns  of the "
            "peak\n");
     for (int i = 0; i < 3; i++)
         measure(shapes[i]);
