@@ -154,6 +154,11 @@ int main(void)
         try_task(labelling, all, &both);
         try_task(labelling, all, a_plane_solves_it ? &planes : &others);
     }
+    kw_out_section(f, "tasks", "planes all others");
+    kw_out_number(f, planes.tasks);
+    kw_out_number(f, both.tasks);
+    kw_out_number(f, others.tasks);
+    kw_out_row(f);
     kw_out_section(f, "perceptron", "seen planes all others");
     for (int m = 0; m < INPUTS; m++) {
         kw_out_number(f, m);

@@ -2,7 +2,7 @@
 # bias (models, three biases, three bounds)
 set terminal svg size 720,300 font "DejaVu Sans,11" background rgb "white"
 set output image
-set multiplot layout 1,2 margins 0.075,0.97,0.17,0.90 spacing 0.10
+set multiplot layout 1,2 margins 0.09,0.97,0.17,0.90 spacing 0.10
 set title "(a) the best of 50 models"
 set xlabel "share of mistakes" offset 0,0.4
 set ylabel "how often" offset 1,0

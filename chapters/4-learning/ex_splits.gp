@@ -1,8 +1,9 @@
-# Splits -- sections: epochs (epoch, training, validation, test, risk),
+# Splits -- sections: epochs (epoch, training, validation, test, risk), floor (least risk),
 # stops (repeat, stop, risk, end-training, end-risk)
 set terminal svg size 720,300 font "DejaVu Sans,11" background rgb "white"
 set output image
-floor = -0.8 * log(0.8) - 0.2 * log(0.2)
+stats data index "floor" using 1 nooutput
+floor = STATS_min
 set multiplot layout 1,2 margins 0.075,0.985,0.17,0.90 spacing 0.09
 stats data index "stops" every ::1::1 using 2 nooutput
 stop = STATS_max
@@ -16,7 +17,7 @@ set ytics 0.2
 set key top left samplen 2
 set arrow 1 from stop,0 to stop,0.95 nohead lw 1 lc rgb GREY dt 2
 set label 1 "stop" at stop,0.95 offset 0.4,0.2
-set label 2 "least possible" at 198,floor right offset 0,0.5
+set label 2 "least possible in truth" at 198,floor right offset 0,0.5
 plot data index "epochs" using 1:5 with lines lw 2.4 lc rgb "#303030" title "in truth", \
      data index "epochs" using 1:3 with lines lw 1.6 lc rgb GREEN dt 2 title "validation set", \
      data index "epochs" using 1:2 with lines lw 1.8 lc rgb BLUE title "training set", \
@@ -32,7 +33,7 @@ set xtics (1, 5, 10, 15, 20)
 unset key
 set label 1 "epoch 200, in truth" at 0.8,1.35
 set label 2 "at the stop, in truth" at 0.8,0.77
-set label 3 "least possible" at 0.8,0.44
+set label 3 "least possible in truth" at 0.8,0.44
 set label 4 "epoch 200, training set" at 0.8,0.2
 plot floor with lines lw 1 lc rgb GREY, \
      data index "stops" using 1:5 with points pt 5 ps 0.6 lc rgb RED, \

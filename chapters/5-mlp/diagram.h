@@ -1,10 +1,12 @@
 /* diagram.h -- how the drivers of this lesson draw a net: a column of units for each layer, a
-   line for each weight. */
+   line for each edge that is found by trial. */
 #ifndef DIAGRAM_H
 #define DIAGRAM_H
 
 #include "mlp.h"
+#include "need.h"
 #include "out.h"
+#include <stdlib.h>
 
 /* Units of layer l = 0 .. L. */
 static inline int layer_units(const kw_net *n, int l)
@@ -37,9 +39,13 @@ static inline int write_diagram(kw_out *f, const kw_net *n)
     for (int l = 1; l <= L; l++) {
         int first;
         const kw_affine *a = kw_mlp_affine(n, l, &first);
+        int *edge = kw_need_memory((size_t)a->out * (size_t)a->in, sizeof *edge);
 
+        edges += kw_mlp_edges(n, l, edge);
         for (int i = 0; i < a->out; i++)
-            for (int j = 0; j < a->in; j++, edges++) {
+            for (int j = 0; j < a->in; j++) {
+                if (!edge[i * a->in + j])
+                    continue;
                 kw_out_number(f, l);
                 kw_out_number(f, j);
                 kw_out_number(f, unit_height(a->in, j));
@@ -47,6 +53,7 @@ static inline int write_diagram(kw_out *f, const kw_net *n)
                 kw_out_number(f, unit_height(a->out, i));
                 kw_out_row(f);
             }
+        free(edge);
     }
     kw_out_section(f, "layers", "layer units");
     for (int l = 0; l <= L; l++) {

@@ -1,7 +1,8 @@
 /* Learnable parameters -- Remark 10 against counting.
 
-   What to see: nothing to look at. The weights and biases are counted one by one, and so are
-   those that the output depends on; the formula of Remark 10 has the same number. With the
+   What to see: nothing to look at. Weights and biases are found by trial: an edge where a change
+   of one unit changes another, a bias where a unit gives something for nothing. Parameters
+   that the output depends on are found by the gradient. The formula of Remark 10 has the same number. With the
    printed range of the biases, which leaves out the last layer, it would not.
 
    Book: section 1.2, Definition 10 and Remark 10.
@@ -44,7 +45,7 @@ static int formula(const architecture *a)
     return sum;
 }
 
-/* Counted along the graph, with biases for l = 1 .. last. */
+/* Found by trial (mlp.h), with biases for l = 1 .. last. */
 static int count(const architecture *a, int last)
 {
     kw_net *n = new_net(a);

@@ -117,12 +117,14 @@ static double distance_of_step(const kw_gcn *l)
     return sqrt((N - common) / N);
 }
 
-/* A layer with free coefficients, another one for each eigenvector: how far `step, then
-   layer' is from `layer, then step'. */
+/* A layer with free coefficients, another one for each eigenvector: the norm of the difference
+   of `step, then layer' and `layer, then step'. In the plane of two eigenvectors a step is a
+   rotation by its angle t, and with the coefficients a and b the difference is |a - b| sin(t)
+   times as long as the signal there, whatever basis the eigenvectors are. */
 static double free_coefficients(const kw_gcn *l)
 {
     kw_rng r = kw_rng_at(722, 0, 0, 0);
-    double w[N + 1] = {0}, x[N], moved[N], y[N], y_moved[N], most = 0;
+    double w[N + 1] = {0}, x[N], moved[N], y[N], y_moved[N], sum = 0;
 
     for (int k = 0; k < N; k++)
         w[k] = kw_rng_uniform(&r);
@@ -133,8 +135,8 @@ static double free_coefficients(const kw_gcn *l)
     kw_gcn_forward(l, w, 1, x, y);
     kw_gcn_forward(l, w, 1, moved, y_moved);
     for (int i = 0; i < N; i++)
-        most = fmax(most, fabs(y_moved[(i + 1) % N] - y[i]));
-    return most;
+        sum += (y_moved[(i + 1) % N] - y[i]) * (y_moved[(i + 1) % N] - y[i]);
+    return sqrt(sum);
 }
 
 int main(void)
@@ -144,6 +146,7 @@ int main(void)
     kw_gcn *vectors = kw_gcn_new_spectral(g, 1, 1);
     kw_gcn *terms = kw_gcn_new_chebyshev(g, 1, 1, K);
 
+    kw_claim_count(report, "gcn.circle.sweeps", count_sweeps(g));
     kw_claim_real(report, "gcn.circle.frequencies", frequency_error(vectors));
     kw_claim_real(report, "gcn.circle.circulant", circulant_error(vectors));
     report_convolution(report, vectors, terms);

@@ -3,14 +3,15 @@
    What to see: a smooth signal on the cells of an adaptive mesh is hidden under noise, and
    two networks learn from pairs of signals to find it. The graph network knows which cells
    are neighbours, and a few pairs are enough; the MLP has to learn that as well, and needs
-   hundreds.
+   hundreds; with a thousand it does better.
 
    Book: section 1.2, graph networks for data with a mesh structure.
    Claims: gcn.signal.*
    Chosen here: all of it. The mesh, signals and noise of signals.h; two Chebyshev layers of
    degree 3 with 4 channels and tanh between them; an MLP with 32 hidden units and tanh;
-   Adam on batches of 8, steps and rates with which each network does well; early stopping
-   on 32 pairs that no step uses; 200 pairs for the test; three seeds, each for signals and
+   Adam on batches of 8, at most 200 steps at rate 0.03 for the one and 1000 at 0.003 for the
+   other, with which each does well, and at most 80 times through the pairs; 32 more pairs, which
+   no step uses, say when to stop; 200 pairs for the test; three seeds, each for signals and
    weights. */
 
 #include "claim.h"      /* what we found, for the ledger */
@@ -40,7 +41,7 @@ enum {
     SEEDS = 3
 };
 
-static const int SIZE[SIZES] = {16, 64, 256, LARGEST}; /* pairs to train on */
+static const int SIZE[SIZES] = {16, 64, 256, LARGEST}; /* pairs for the steps */
 
 /* --- two networks --- */
 
@@ -268,9 +269,12 @@ int main(void)
     kw_meshgraph *cells = new_cells(0), *other = new_cells(2);
     model graph = graph_model(cells->graph), mlp = mlp_model(cells->graph);
     findings all;
+    int mlp_better = 0; /* seeds in which it is, with the most pairs */
 
-    for (int seed = 0; seed < SEEDS; seed++)
+    for (int seed = 0; seed < SEEDS; seed++) {
         learn_seed(f, cells, other, seed, &all);
+        mlp_better += all.mlp[SIZES - 1][seed] < all.graph[SIZES - 1][seed];
+    }
     write_errors(f, &all);
 
     kw_claim_count(report, "gcn.signal.cells", cells->graph->n);
@@ -278,11 +282,12 @@ int main(void)
     kw_claim_count(report, "gcn.signal.parameters.graph", graph.net->parameters);
     kw_claim_count(report, "gcn.signal.parameters.mlp", mlp.net->parameters);
     kw_claim_real(report, "gcn.signal.noise", over_seeds(all.noise).mean);
-    kw_claim_real(report, "gcn.signal.few.graph", over_seeds(all.graph[0]).most);
-    kw_claim_real(report, "gcn.signal.few.mlp", over_seeds(all.mlp[0]).least);
-    kw_claim_real(report, "gcn.signal.many.graph", over_seeds(all.graph[SIZES - 1]).most);
-    kw_claim_real(report, "gcn.signal.many.mlp", over_seeds(all.mlp[SIZES - 1]).most);
-    kw_claim_real(report, "gcn.signal.moved", over_seeds(all.moved).most);
+    kw_claim_real(report, "gcn.signal.few.graph", over_seeds(all.graph[0]).mean);
+    kw_claim_real(report, "gcn.signal.few.mlp", over_seeds(all.mlp[0]).mean);
+    kw_claim_real(report, "gcn.signal.many.graph", over_seeds(all.graph[SIZES - 1]).mean);
+    kw_claim_real(report, "gcn.signal.many.mlp", over_seeds(all.mlp[SIZES - 1]).mean);
+    kw_claim_count(report, "gcn.signal.many.better", mlp_better);
+    kw_claim_real(report, "gcn.signal.moved", over_seeds(all.moved).mean);
 
     model_free(&graph);
     model_free(&mlp);

@@ -31,7 +31,7 @@ set tmargin at screen 0.93
 set bmargin at screen 0.13
 set size noratio
 set title "(e) error on new pairs" offset 0,-0.6
-set xlabel "pairs to learn from" offset 0,0.3
+set xlabel "pairs for the steps" offset 0,0.3
 set ylabel "mean squared error" offset 1,0
 set logscale x 2
 set xrange [12:1400]

@@ -77,6 +77,7 @@ static void ideal_weights(const kw_gcn *l, double *w)
 
 typedef struct findings {
     int beyond, missing; /* entries not zero beyond K hops, and zero within */
+    int sweeps;          /* most for the eigenvectors of a graph */
     double ways;         /* largest difference of the two ways */
 } findings;
 
@@ -85,7 +86,7 @@ static void try_polynomial(uint64_t sample, findings *all)
 {
     double x[2 * POINTS] = {0}, c[K + 2] = {0}, w[POINTS + 1] = {0};
     double by_terms[POINTS * POINTS] = {0}, by_vectors[POINTS * POINTS] = {0};
-    int work[POINTS], hops[POINTS];
+    int work[POINTS], hops[POINTS], sweeps;
     kw_rng r = kw_rng_at(711, 0, sample, 0);
     kw_graph *g;
     kw_gcn *terms, *vectors;
@@ -99,6 +100,8 @@ static void try_polynomial(uint64_t sample, findings *all)
     series_weights(vectors, K, c, w);
     filter_matrix(terms, c, by_terms);
     filter_matrix(vectors, w, by_vectors);
+    sweeps = count_sweeps(g);
+    all->sweeps = sweeps > all->sweeps ? sweeps : all->sweeps;
     for (int i = 0; i < POINTS; i++) {
         kw_graph_hops(g, i, work, hops);
         for (int j = 0; j < POINTS; j++) {
@@ -117,12 +120,13 @@ static void try_polynomial(uint64_t sample, findings *all)
 
 static void report_polynomials(kw_out *report)
 {
-    findings all = {0, 0, 0};
+    findings all = {0, 0, 0, 0};
 
     for (uint64_t sample = 0; sample < CASES; sample++)
         try_polynomial(sample, &all);
     kw_claim_count(report, "gcn.polynomial.beyond", all.beyond);
     kw_claim_count(report, "gcn.polynomial.missing", all.missing);
+    kw_claim_count(report, "gcn.polynomial.sweeps", all.sweeps);
     kw_claim_real(report, "gcn.polynomial.vectors", all.ways);
 }
 
@@ -164,6 +168,7 @@ static void look_at_circle(kw_out *f, kw_out *report)
             leak = fmax(leak, fabs(sharp[j]));
         error = fmax(error, fabs(sharp[j] - ideal_in_closed_form(j)));
     }
+    kw_claim_count(report, "gcn.ideal.sweeps", count_sweeps(g));
     kw_claim_real(report, "gcn.ideal.leak", leak);
     kw_claim_real(report, "gcn.ideal.opposite", fabs(sharp[CIRCLE / 2]));
     kw_claim_real(report, "gcn.ideal.closed", error);
@@ -172,25 +177,133 @@ static void look_at_circle(kw_out *f, kw_out *report)
     kw_graph_free(g);
 }
 
-/* --- costs: multiplications for one channel of one signal --- */
+/* --- costs: multiplications for one channel of one signal, each counted where it is done --- */
 
+/* y = c_0 x + c_1 T_1(S) x + .. + c_K T_K(S) x. */
+static long long through_terms(const kw_graphmatrix *S, const double *c, const double *x,
+                               double *y)
+{
+    double *before = kw_need_memory((size_t)S->n, sizeof *before);
+    double *now = kw_need_memory((size_t)S->n, sizeof *now);
+    double *next = kw_need_memory((size_t)S->n, sizeof *next);
+    long long products = 0;
+
+    for (int i = 0; i < S->n; i++) {
+        now[i] = x[i];
+        y[i] = c[0] * x[i];
+        products++;
+    }
+    for (int q = 1; q <= K; q++) {
+        double *done = before;
+
+        for (int i = 0; i < S->n; i++) {
+            double sum = 0;
+
+            for (int e = S->start[i]; e < S->start[i + 1]; e++) {
+                sum += S->value[e] * now[S->column[e]];
+                products++;
+            }
+            next[i] = q == 1 ? sum : sum + sum - before[i];
+            y[i] += c[q] * next[i];
+            products++;
+        }
+        before = now;
+        now = next;
+        next = done;
+    }
+    free(before);
+    free(now);
+    free(next);
+    return products;
+}
+
+/* y = U diag(w) U^T x, the eigenvectors being the rows of `vector`. */
+static long long through_vectors(int n, const double *vector, const double *w,
+                                 const double *x, double *y)
+{
+    long long products = 0;
+
+    for (int i = 0; i < n; i++)
+        y[i] = 0;
+    for (int k = 0; k < n; k++) {
+        const double *u = vector + (size_t)k * (size_t)n;
+        double z = 0;
+
+        for (int i = 0; i < n; i++) {
+            z += u[i] * x[i];
+            products++;
+        }
+        z = w[k] * z;
+        products++;
+        for (int i = 0; i < n; i++) {
+            y[i] += u[i] * z;
+            products++;
+        }
+    }
+    return products;
+}
+
+static kw_graph *new_scattered(int n)
+{
+    double *x = kw_need_memory(2 * (size_t)n, sizeof *x);
+    kw_graph *g;
+
+    scatter(713, 0, n, x);
+    g = kw_graph_new_nearest(n, 2, x, NEAREST);
+    free(x);
+    return g;
+}
+
+/* Do the two compute what the layers do? The largest difference, on random signals. */
+static double difference_to_layers(void)
+{
+    kw_graph *g = new_scattered(POINTS);
+    kw_gcn *terms = kw_gcn_new_chebyshev(g, 1, 1, K);
+    kw_gcn *vectors = kw_gcn_new_spectral(g, 1, 1);
+    double most = 0;
+
+    for (uint64_t sample = 0; sample < CASES; sample++) {
+        kw_rng r = kw_rng_at(714, 0, sample, 0);
+        double x[POINTS], w[POINTS + 1] = {0}, c[K + 2] = {0};
+        double want[POINTS], y[POINTS];
+
+        for (int i = 0; i < POINTS; i++) {
+            x[i] = 2 * kw_rng_uniform(&r) - 1;
+            w[i] = 2 * kw_rng_uniform(&r) - 1;
+        }
+        for (int q = 0; q <= K; q++)
+            c[q] = 2 * kw_rng_uniform(&r) - 1;
+        kw_gcn_forward(terms, c, 1, x, want);
+        through_terms(terms->S, c, x, y);
+        for (int i = 0; i < POINTS; i++)
+            most = fmax(most, fabs(y[i] - want[i]));
+        kw_gcn_forward(vectors, w, 1, x, want);
+        through_vectors(POINTS, vectors->vector, w, x, y);
+        for (int i = 0; i < POINTS; i++)
+            most = fmax(most, fabs(y[i] - want[i]));
+    }
+    kw_gcn_free(terms);
+    kw_gcn_free(vectors);
+    kw_graph_free(g);
+    return most;
+}
+
+/* How many they are does not depend on the numbers: for the large graph all may be zero, and
+   its eigenvectors are not needed. */
 static void report_costs(kw_out *report)
 {
-    double *x = kw_need_memory(2 * LARGE, sizeof *x);
-    kw_graph *g;
-    kw_gcn *terms;
+    kw_graph *g = new_scattered(LARGE);
+    kw_gcn *terms = kw_gcn_new_chebyshev(g, 1, 1, K);
+    double *zero = kw_need_memory((size_t)LARGE * LARGE, sizeof *zero);
+    double y[LARGE];
 
-    scatter(713, 0, LARGE, x);
-    g = kw_graph_new_nearest(LARGE, 2, x, NEAREST);
-    terms = kw_gcn_new_chebyshev(g, 1, 1, K);
-    /* K products with S, and K + 1 weights a node */
-    kw_claim_count(report, "gcn.cost.terms",
-                   (long long)K * terms->S->start[LARGE] + (K + 1LL) * LARGE);
-    /* U^T x, a weight a frequency, U times that */
-    kw_claim_count(report, "gcn.cost.vectors", 2LL * LARGE * LARGE + LARGE);
+    kw_claim_real(report, "gcn.cost.layers", difference_to_layers());
+    kw_claim_count(report, "gcn.cost.terms", through_terms(terms->S, zero, zero, y));
+    kw_claim_count(report, "gcn.cost.vectors",
+                   through_vectors(LARGE, zero, zero, zero, y));
     kw_gcn_free(terms);
     kw_graph_free(g);
-    free(x);
+    free(zero);
 }
 
 /* --- pictures --- */

@@ -2,7 +2,9 @@
 #ifndef GRAPHS_H
 #define GRAPHS_H
 
+#include "eigen.h"
 #include "graph.h"
+#include "graphmatrix.h"
 #include "need.h"
 #include "out.h"
 #include "rng.h"
@@ -21,6 +23,26 @@ static inline kw_graph *new_cycle(int n)
     g = kw_graph_new(n, n, end, NULL);
     free(end);
     return g;
+}
+
+/* The sweeps (eigen.h) for the eigenvectors of the normalized Laplacian, as in a spectral
+   layer. */
+static inline int count_sweeps(const kw_graph *g)
+{
+    const size_t n = (size_t)g->n;
+    kw_graphmatrix *L = kw_graphmatrix_new_normalized(g);
+    double *dense = kw_need_memory(n * n, sizeof *dense);
+    double *value = kw_need_memory(n, sizeof *value);
+    double *vector = kw_need_memory(n * n, sizeof *vector);
+    int sweeps;
+
+    kw_graphmatrix_dense(L, dense);
+    sweeps = kw_eigen_symmetric(g->n, dense, value, vector);
+    kw_graphmatrix_free(L);
+    free(dense);
+    free(value);
+    free(vector);
+    return sweeps;
 }
 
 /* x, n x 2: points of the unit square that keep away from each other, each of them the one of

@@ -5,7 +5,7 @@
    step. So the loss falls at rates below two over the largest eigenvalue and grows above, and
    how many steps it takes follows from the quotient of the eigenvalues. The first step of
    Adam is as long as its rate, whatever the gradient, and its path is the same if the loss is
-   measured in another unit.
+   measured in another unit; both but for the constant 1e-8 that it adds, which is zero here.
 
    Book: section 1.2, Optimization.
    Claims: opt.valley.*, opt.adam.*
@@ -114,7 +114,8 @@ static double first_step_error(unit u)
     return most;
 }
 
-/* Steps behind which the path is another one if all gradients are 2^10 times as large. */
+/* Steps behind which the path is another one if all gradients are 2^10 times as large. Without
+   Adam's constant 1e-8, which is of the size of a gradient and is not multiplied. */
 static int scale_matters(unit u, kw_method method)
 {
     kw_optimizer *o[2];

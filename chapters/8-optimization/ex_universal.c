@@ -1,8 +1,8 @@
 /* What activations can represent -- any continuous function with ReLU, little with a square.
 
    What to see: nothing to look at. The ReLU network that is the piecewise linear interpolant has
-   the error bound of the spline, which falls with the square of the width. Units that square give
-   a quadratic polynomial, however many there are.
+   the error bound of the spline, which falls with the square of the width. In one hidden layer,
+   units that square give a quadratic polynomial, however many there are; deeper they give more.
 
    Book: section 1.2, the sentence before Figure 15.
    Claims: opt.universal.*

@@ -16,7 +16,7 @@ enum {
     POINTS = 1000, /* between which and the samples the error is taken */
     MOST = 49,     /* parameters */
     PHASES = 3,    /* of a training; the rate of each is a quarter of that before */
-    EPOCHS = 500,  /* in each of them */
+    EPOCHS = 1500,  /* in each of them */
     BATCH = 33
 };
 
