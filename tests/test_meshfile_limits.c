@@ -1,6 +1,7 @@
 /* The limits of mesh files: the same for who reads and who writes, and none of them a surprise. */
 #include "meshes.h"
 #include "meshfile.h"
+#include "out.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <sys/stat.h>
