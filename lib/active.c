@@ -1,4 +1,5 @@
 #include "active.h"
+#include "box.h"
 #include "need.h"
 #include <stdlib.h>
 #include <string.h>
@@ -12,17 +13,6 @@ static uint64_t flat_function(const kw_mesh *m, int level, const int *j)
     for (int h = 0; h < m->D; h++)
         flat = flat * (uint64_t)m->level[level].s[h]->n + (uint64_t)j[h];
     return flat;
-}
-
-/* Steps a multi-index through low <= at < high, last direction first; 0 behind the end. */
-static int next_index(int D, const int *low, const int *high, int *at)
-{
-    for (int h = D - 1; h >= 0; h--) {
-        if (++at[h] < high[h])
-            return 1;
-        at[h] = low[h];
-    }
-    return 0;
 }
 
 /* The cells low <= cell < high of the support of function j. */
@@ -71,7 +61,7 @@ static void count_cells(kw_active *a, int level)
         amount = kw_mesh_refined(m, level, cell) ? 1 + REFINED : 1;
         do
             kw_map_add(a->status[level], flat_function(m, level, j), amount);
-        while (next_index(m->D, low, high, j));
+        while (kw_box_next(m->D, low, high, j));
     }
     free(list);
 }
@@ -209,7 +199,7 @@ void kw_active_of_cell(const kw_active *a, int level, const int *cell, int *is)
         int found = kw_map_find(a->status[level], flat_function(a->mesh, level, j));
 
         is[i++] = found == KW_MAP_NONE ? KW_ACTIVE_OUTSIDE : found;
-    } while (next_index(a->mesh->D, low, high, j));
+    } while (kw_box_next(a->mesh->D, low, high, j));
 }
 
 int kw_active_cell(const kw_active *a, int i, int *cell)
@@ -220,7 +210,7 @@ int kw_active_cell(const kw_active *a, int i, int *cell)
     support(a->mesh, level, j, low, high);
     memcpy(cell, low, (size_t)a->mesh->D * sizeof *cell);
     while (kw_mesh_refined(a->mesh, level, cell))
-        next_index(a->mesh->D, low, high, cell);
+        kw_box_next(a->mesh->D, low, high, cell);
     return level;
 }
 
@@ -280,7 +270,7 @@ static int lies_in(const kw_mesh *m, const member *f, int level)
     do
         if (!kw_mesh_inside(m, level, cell))
             return 0;
-    while (next_index(m->D, low, high, cell));
+    while (kw_box_next(m->D, low, high, cell));
     return 1;
 }
 
@@ -316,7 +306,7 @@ static void add_members(const kw_mesh *m, members *H, int level)
         do
             if (lies_in(m, &f, level))
                 add_member(H, f);
-        while (next_index(m->D, low, high, f.j));
+        while (kw_box_next(m->D, low, high, f.j));
     }
     free(list);
 }

@@ -35,7 +35,6 @@ typedef struct table {
     int count;
     int *index;  /* count: the functions */
     double *row; /* local x count: their coefficients */
-    int carried; /* the first of them that belong to coarser levels */
     double *work;
     size_t index_room, row_room, work_room;
     kw_twoscale halves;      /* from the cell of this level to its children */
@@ -116,6 +115,7 @@ static void add_active(table *t, int local)
         return;
     t->count += added;
     numbers = (size_t)local * (size_t)t->count;
+    t->row = grown(t->row, &t->row_room, numbers, sizeof *t->row);
     t->index = grown(t->index, &t->index_room, (size_t)t->count, sizeof *t->index);
     t->work = grown(t->work, &t->work_room, numbers, sizeof *t->work);
     wider = t->work;
@@ -129,7 +129,6 @@ static void add_active(table *t, int local)
             wider[added++] = 1;
         }
     }
-    t->row = grown(t->row, &t->row_room, numbers, sizeof *t->row);
     memcpy(t->row, t->work, numbers * sizeof *t->row);
 }
 
@@ -155,42 +154,41 @@ static void remember_leaf(kw_hier *b, int node, int level, const int *cell,
                           const table *t)
 {
     const kw_mesh *m = b->active->mesh;
-    size_t carried = (size_t)t->carried, numbers = b->numbers,
+    size_t carried = (size_t)t->count, numbers = b->numbers,
            local = (size_t)b->active->local;
     kw_hier_leaf *l = &b->leaf[-1 - b->tree->node[node].child];
 
-    KW_NEED(t->count > 0, "no function on a cell of level %d", level);
+    KW_NEED(t->count + b->own[node].count > 0, "no function on a cell of level %d",
+            level);
     l->level = level;
     l->node = node;
     for (int h = 0; h < m->D; h++)
         l->span[h] = m->level[level].span[h][cell[h]];
-    l->carried = t->carried;
+    l->carried = t->count;
     l->index = b->indices;
     l->row = b->numbers;
+    if (carried == 0)
+        return;
     b->index = grown(b->index, &b->index_room, b->indices + carried, sizeof *b->index);
     b->row = grown(b->row, &b->row_room, numbers + local * carried, sizeof *b->row);
     memcpy(b->index + b->indices, t->index, carried * sizeof *b->index);
     b->indices += carried;
     for (size_t f = 0; f < local; f++)
         if (t->is[f] == KW_ACTIVE_OUTSIDE) {
-            memcpy(b->row + b->numbers, t->row + f * (size_t)t->count,
-                   carried * sizeof *b->row);
+            memcpy(b->row + b->numbers, t->row + f * carried, carried * sizeof *b->row);
             b->numbers += carried;
         }
 }
 
-/* The table of a cell, from that of its parent if it has one. */
+/* The THB-splines of coarser levels on a cell, from the table of its parent if it has one. */
 static void fill_table(const table *parent, int child, int local, table *t)
 {
     t->count = 0;
-    if (parent && !all_cut_off(t->is, local)) {
+    if (parent && parent->count > 0 && !all_cut_off(t->is, local)) {
         refine_table(parent, child, local, t);
         truncate_table(t, local);
         drop_zeros(t, local);
     }
-    t->carried = t->count;
-    t->row = grown(t->row, &t->row_room, 1, sizeof *t->row); /* to be copied from */
-    add_active(t, local);
 }
 
 /* Fills the node of a cell and all below it; `child` is its number among its parent's children,
@@ -209,6 +207,7 @@ static void descend(kw_hier *b, int node, int level, int child, const int *cell,
         b->most = before > b->most ? before : b->most;
         return;
     }
+    add_active(&t[level], local);
     kw_twoscale_of_cell(m, level, cell, &t[level].halves);
     for (int c = 0; c < 1 << m->D; c++) {
         int at[D_MOST] = {0};

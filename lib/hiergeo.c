@@ -1,4 +1,5 @@
 #include "hiergeo.h"
+#include "box.h"
 #include "insert.h"
 #include "need.h"
 #include "twoscale.h"
@@ -150,17 +151,6 @@ void kw_hiergeo_weights(const kw_hier *b, double *w)
 
 /* --- representation on one level --- */
 
-/* Steps a multi-index through low <= at < high, last direction first; 0 behind the end. */
-static int next_index(int D, const int *low, const int *high, int *at)
-{
-    for (int h = D - 1; h >= 0; h--) {
-        if (++at[h] < high[h])
-            return 1;
-        at[h] = low[h];
-    }
-    return 0;
-}
-
 /* A box of functions of one level with their coefficients. */
 typedef struct box {
     int level, first[D_MOST], count[D_MOST];
@@ -252,7 +242,7 @@ static void truncate_box(const kw_hier *b, box *f)
         if (kw_active_status(b->active, f->level, j) >= KW_ACTIVE_COVERED)
             f->c[at] = 0;
         at++;
-    } while (next_index(b->active->mesh->D, f->first, high, j));
+    } while (kw_box_next(b->active->mesh->D, f->first, high, j));
 }
 
 /* The local coefficients of a THB-spline on a cell of each level, on the way down. */
@@ -331,7 +321,7 @@ static int last_cut(const kw_hier *b, int level, const int *j)
         below = last_cut_below(&w, level, cell);
         c[place] = 0;
         last = last > below ? last : below;
-    } while (next_index(m->D, low, high, cell));
+    } while (kw_box_next(m->D, low, high, cell));
     free(w.c);
     free(w.work);
     return last;

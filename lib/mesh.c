@@ -1,4 +1,5 @@
 #include "mesh.h"
+#include "box.h"
 #include "insert.h"
 #include "need.h"
 #include <stdlib.h>
@@ -168,18 +169,6 @@ static void need_next_level(kw_mesh *m, int level)
     add_level(m, fine);
 }
 
-/* Steps to the next cell of the box low <= cell < high, last direction first; 0 behind the
-   last one. */
-static int next_cell(int D, const int *low, const int *high, int *cell)
-{
-    for (int h = D - 1; h >= 0; h--) {
-        if (++cell[h] < high[h])
-            return 1;
-        cell[h] = low[h];
-    }
-    return 0;
-}
-
 static int refine_cell(kw_mesh *m, int level, const int *cell)
 {
     if (!kw_mesh_inside(m, level, cell) || kw_mesh_refined(m, level, cell))
@@ -234,7 +223,7 @@ int kw_mesh_refine(kw_mesh *m, int level, const int *low, const int *high)
         return refine_children(m, level, low, high);
     do
         done += refine_cell(m, level, cell);
-    while (next_cell(m->D, low, high, cell));
+    while (kw_box_next(m->D, low, high, cell));
     return done;
 }
 

@@ -1,4 +1,5 @@
 #include "meshfile.h"
+#include "box.h"
 #include "active.h"
 #include "need.h"
 #include "out.h"
@@ -311,17 +312,6 @@ static int take_steps(reader *r, double cells)
     return 0;
 }
 
-/* Steps to the next cell of a box, last direction first; 0 behind the last one. */
-static int next_cell(int D, const int *low, const int *high, int *cell)
-{
-    for (int h = D - 1; h >= 0; h--) {
-        if (++cell[h] < high[h])
-            return 1;
-        cell[h] = low[h];
-    }
-    return 0;
-}
-
 /* The cells of a box that kw_mesh_refine would refine, counted one by one. */
 static double new_cells(const kw_mesh *m, int level, const int *low, const int *high)
 {
@@ -337,7 +327,7 @@ static double new_cells(const kw_mesh *m, int level, const int *low, const int *
     if (box <= cells_of_level(m, level)) {
         do
             found += kw_mesh_inside(m, level, cell) && !kw_mesh_refined(m, level, cell);
-        while (next_cell(m->D, low, high, cell));
+        while (kw_box_next(m->D, low, high, cell));
         return found;
     }
     list = kw_mesh_cells(m, level, &count);

@@ -171,7 +171,7 @@ int main(void)
     const pair line = {.m = 1, .n = 2, .A = {1, 2}, .W = {1, 0}};
 
     kw_claim_count(report, "cnn.eq22.indices", exceptions(has_its_indices_inside));
-    kw_claim_count(report, "cnn.eq22.library", exceptions(is_in_the_library));
+    kw_claim_count(report, "cnn.eq22.functions", exceptions(is_in_the_library));
     kw_claim_count(report, "cnn.eq22.middle", exceptions(is_the_middle_of_a_product));
     kw_claim_count(report, "cnn.eq22.symmetric", exceptions(is_symmetric));
     kw_claim_count(report, "cnn.eq22.turned",

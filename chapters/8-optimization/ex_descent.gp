@@ -25,10 +25,10 @@ set yrange [-1.5:3.5]
 set xtics 1
 set ytics 1
 set xlabel "w" offset 0,0.6
-set ylabel "b" offset 1.5,0
+set ylabel "b" offset 0.8,0
 set bmargin at screen 0.42
 set tmargin at screen 0.95
-set lmargin at screen 0.065
+set lmargin at screen 0.08
 set rmargin at screen 0.485
 set title "(a) w p + b: a valley"
 set key at graph 0.98,0.98 top right samplen 2.5 opaque
@@ -51,7 +51,7 @@ unset label
 
 set bmargin at screen 0.07
 set tmargin at screen 0.295
-set lmargin at screen 0.065
+set lmargin at screen 0.08
 set rmargin at screen 0.485
 set xrange [0:400]
 set xtics 100

@@ -26,7 +26,7 @@ local function gather()
         seen = { item = {}, claim = {}, driver = {} } }
     local names = {}
     book.programs = source.files("chapters/*.h chapters/[0-9]*/*.[ch]")
-    book.library = source.files("lib/*.[ch]")
+    book.lib = source.files("lib/*.[ch]")
     for _, path in ipairs(book.programs) do
         local name = path:match("([%w_]+)%.c$")
         if name then
@@ -34,7 +34,7 @@ local function gather()
             names[#names + 1] = name
         end
     end
-    for _, list in ipairs({ book.programs, book.library }) do
+    for _, list in ipairs({ book.programs, book.lib }) do
         for _, path in ipairs(list) do
             local name = path:match("[^/]+$")
             book.files[path] = path

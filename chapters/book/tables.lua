@@ -234,7 +234,7 @@ end
 
 function tables.programs(book)
     local html = {}
-    for _, list in ipairs({ book.programs, book.library }) do
+    for _, list in ipairs({ book.programs, book.lib }) do
         for _, path in ipairs(list) do
             html[#html + 1] = program(path)
         end
