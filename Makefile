@@ -46,6 +46,7 @@ endif
 LIBRARY := $(BUILD)/lib/libknotwork.a
 GEN     := $(BUILD)/bin/gen
 FAMILIES := $(filter-out count reference,$(patsubst gen/gen_%.c,%,$(sort $(wildcard gen/gen_*.c))))
+GALLERY := $(FAMILIES:%=figures/ex_gen_%.svg)
 REPORTS := $(DRIVERS:%=$(BUILD)/claims/%.tsv)
 LOGS    := $(TESTS:%=$(BUILD)/tests/%.log) $(SCRIPTS:%=$(BUILD)/tests/%.log) \
            $(BUILD)/tests/ledger.log
@@ -94,7 +95,7 @@ $(BUILD)/claims/%.tsv: $(BUILD)/bin/%
 
 reports: $(REPORTS)
 
-figures: $(GEN) $(PLOTS:%=figures/%.svg)
+figures: $(GEN) $(PLOTS:%=figures/%.svg) $(GALLERY)
 
 # the data are older than the report; if somebody removed them, they are made again
 $(BUILD)/data/%.dat: $(BUILD)/claims/%.tsv
@@ -108,6 +109,16 @@ figures/%.svg: %.gp figures/style.gp $(BUILD)/data/%.dat figures/draw.sh | $(SET
 data: $(GEN) | $(BUILD)/sets
 	@for family in $(FAMILIES); do \
 	    $(GEN) $$family --count 20 --validation 5 --test 5 --out $(BUILD)/sets/$$family || exit 1; done
+
+# the gallery: a plot for each family, which begins with the calls of the sets that it shows
+$(BUILD)/sets/ex_gen_%/made: gen/ex_gen_%.gp $(GEN)
+	@rm -rf $(@D) && mkdir -p $(@D)
+	@cd $(@D) && sed -n 's/^#   gen //p' $(abspath $<) | while read -r call; do \
+	    $(abspath $(GEN)) $$call || exit 1; done
+	@touch $@
+
+figures/ex_gen_%.svg: gen/ex_gen_%.gp gen/gallery.gp figures/style.gp $(BUILD)/sets/ex_gen_%/made figures/draw.sh | $(SETUP)
+	@figures/draw.sh $< $(BUILD)/sets/ex_gen_$* $@
 
 install: $(GEN)
 	install -D $(GEN) $(DESTDIR)$(PREFIX)/bin/knotwork-gen

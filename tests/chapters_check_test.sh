@@ -13,8 +13,8 @@ said=$place/out
 cd "$place" || exit 1
 
 good() {
-    rm -rf chapters figures lib README.md
-    mkdir -p chapters/1-one figures lib
+    rm -rf chapters figures gen lib README.md
+    mkdir -p chapters/1-one figures gen lib
     printf 'a.count\tcount\t63\t72\t-\tDef 1\tnote\n' >chapters/claims.tsv
     echo '@book{farin2002,' >chapters/references.bib
     echo 'int twice(int a)' >lib/twice.c
@@ -23,7 +23,9 @@ good() {
     : >chapters/1-one/told.c
     : >chapters/1-one/listed.c
     echo '<tspan>x</tspan>' >figures/shown.svg
-    echo '[listed](chapters/1-one/listed.c)' >README.md
+    : >gen/made.gp
+    : >figures/made.svg
+    echo '[listed](chapters/1-one/listed.c) ![A set.](figures/made.svg)' >README.md
     cat >chapters/1-one/chapter.md <<'END'
 # One
 There are [a.count]{.ours} of them, not [a.count]{.printed}, in [12]{.chosen} cells [@farin2002].
@@ -84,7 +86,11 @@ echo 'set ylabel "how often"' >>chapters/1-one/shown.gp
 defect "a label that is not in the picture" figures/shown.svg "'how often'"
 edit 's/told.c/told/'
 defect "a driver that nobody names" told.c 'named in no chapter'
-echo >README.md
+echo '[listed](chapters/1-one/listed.c) ![](figures/made.svg)' >README.md
+defect "a picture of a data set without a text" figures/made.svg 'not in README.md'
+echo '[listed](chapters/1-one/listed.c)' >README.md
+defect "a picture of a data set that the README does not show" figures/made.svg 'not in README.md'
+echo '![A set.](figures/made.svg)' >README.md
 defect "a driver that the README no longer names" listed.c 'named in no chapter'
 : >chapters/1-one/isted.c
 defect "a driver whose name is the end of another" isted.c 'named in no chapter'

@@ -1,11 +1,13 @@
 #!/bin/sh
 # chapters_test.sh [CHAPTERS] -- what a chapter's text refers to is there: ledger ids,
-# functions, pictures, sources. Every picture is in some chapter, with a caption; every driver is
+# functions, pictures, sources. Every picture is in some chapter, with a caption, and one of a
+# data set (gen/NAME.gp) in README.md, with a text in its place; every driver is
 # named in a chapter or in README.md; and no number of two digits or more is typed by hand in
 # a chapter; every label of an axis stands in the picture. Runs in the folder of README.md and figures/.
 #
 # In a chapter.md
 #   [id]{.ours} and [id]{.printed}               take a number from the ledger
+#   [id]{.no} and [id]{.none}                    say of ours in a word that it is zero
 #   [12]{.chosen}                                is a number that we chose
 #   ::: {.code file="F" function="NAME"}         pulls in a function
 #   ![Caption.](../../figures/NAME.svg)          shows the figure of driver NAME
@@ -20,7 +22,7 @@ trap 'rm -f "$found"' EXIT
 # check_text TEXT -- a line for everything in this chapter that refers to nothing
 check_text() {
     text=$1
-    grep -oE '\[[^]@ ]+\]\{\.(ours|printed)\}' "$text" | while read -r claim; do
+    grep -oE '\[[^]@ ]+\]\{\.(ours|printed|none|no)\}' "$text" | while read -r claim; do
         id=${claim#?} id=${id%%]*}
         awk -F'\t' -v id="$id" '$1 == id { found = 1 } END { exit !found }' "$chapters/claims.tsv" ||
             echo "$text names claim $id, which is not in the ledger"
@@ -69,6 +71,11 @@ names() {
     done
     for picture in figures/*.svg; do
         name=$(basename "$picture" .svg)
+        if [ -f "gen/$name.gp" ]; then
+            grep -qE "!\\[[^]]+\\]\\(figures/$name\\.svg\\)" README.md ||
+                echo "$picture is not in README.md, or without a text in its place"
+            continue
+        fi
         [ "$(find "$chapters" -name "$name.c" | wc -l)" = 1 ] ||
             echo "$picture has no driver $name.c"
         cat "$chapters"/*/chapter.md | grep -q "/$name\\.svg" || echo "$picture is in no chapter"
