@@ -66,13 +66,18 @@ static const char *const files =
     "stands in `counts`. Shards are joined by concatenation in the order of their "
     "numbers.\n"
     "`FORMAT/SPLIT-INDEX.FORMAT` is a file of one sample. `SHA256SUMS` is checked by\n"
-    "`sha256sum -c SHA256SUMS`, and all by `gen verify` and the name of this folder.\n"
+    "`sha256sum -c SHA256SUMS`, and all by `gen verify` and the name of this folder. "
+    "Every file was\n"
+    "renamed to its name when it was whole, but not forced to the disk: after a power "
+    "failure remove\n"
+    "the files that `gen verify` names, and the call above makes them again.\n"
     "\n## Use\n\n"
     "Every sample depends on the seed, its index and the options above alone. The "
     "samples are\n"
     "drawn as described, for tests and for learning; they stand for no population of "
     "anything,\n"
-    "and hold nothing about people. They are in the public domain (CC0-1.0).\n";
+    "and hold nothing about people. They belong to nobody and are in the public domain:\n"
+    "CC0 1.0, https://creativecommons.org/publicdomain/zero/1.0/\n";
 
 static int write_datasheet(const gen_call *c, const gen_plan *p)
 {

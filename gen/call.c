@@ -79,8 +79,8 @@ static int in_bounds(const gen_parameter *p, const char *text, double value)
 {
     if (p->least <= value && value <= p->most)
         return GEN_GOOD;
-    return gen_say(GEN_BAD_CALL, "%s is %s, not within %g .. %g", p->name, text, p->least,
-                   p->most);
+    return gen_say(GEN_BAD_CALL, "%s is %s, not within %.10g .. %.10g", p->name, text,
+                   p->least, p->most);
 }
 
 /* A number at the beginning of `text`; what comes behind it is at *end. */
@@ -410,7 +410,7 @@ static void print_parameter(const gen_parameter *p)
     if (p->kind == GEN_WORD)
         printf(": %s", p->words);
     else
-        printf(", %g .. %g%s", p->least, p->most,
+        printf(", %.10g .. %.10g%s", p->least, p->most,
                p->kind == GEN_RANGE ? ", or a range, as 4-8" : "");
     printf("; %s if left out\n", p->standard);
 }

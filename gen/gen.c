@@ -140,7 +140,9 @@ static int run_verify(int count, char *const *word)
         "Checks the set in DIR: are all shards there, have all files the sums they were "
         "made\n"
         "with, and are the samples in them those of their range, so that no two splits\n"
-        "share one? Names every defect; the exit status is 0 if there is none.\n",
+        "share one? Names every defect; the exit status is 0 if there is none. Remove "
+        "what it\n"
+        "names and give the call again: it is made anew.\n",
         stdout);
     return GEN_GOOD;
 }

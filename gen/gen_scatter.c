@@ -14,12 +14,13 @@ enum { COUNTS, POINTS, VOIDS };
 enum { FRANKE, RIDGE, PEAK, STEP };
 enum { UNIFORM, GRADED, VOID };
 enum { MOST_POINTS = 1000000, MOST_VOIDS = 10 };
+enum { PART = 256 /* points that are made at once: they stay in the cache */ };
 
 /* Purposes of random numbers. */
 enum { HOW_MANY, WHERE, WHICH_NOISE, WHICH_VOIDS };
 
 typedef struct work {
-    double *u, *v, *z, *noisy, *exponent[4], *power; /* one number a point */
+    double u[PART], v[PART], z[PART], noisy[PART], exponent[4][PART], power[PART];
 } work;
 
 static int check(const gen_call *c)
@@ -48,31 +49,8 @@ static void plan(const gen_call *c, gen_plan *p)
 
 static void *work_new(const gen_call *c)
 {
-    const size_t most = (size_t)c->high[POINTS_OF];
-    work *w = kw_need_memory(1, sizeof *w);
-
-    w->u = kw_need_memory(most, sizeof *w->u);
-    w->v = kw_need_memory(most, sizeof *w->v);
-    w->z = kw_need_memory(most, sizeof *w->z);
-    w->noisy = kw_need_memory(most, sizeof *w->noisy);
-    w->power = kw_need_memory(most, sizeof *w->power);
-    for (int k = 0; k < 4; k++)
-        w->exponent[k] = kw_need_memory(most, sizeof *w->exponent[k]);
-    return w;
-}
-
-static void work_free(void *work_of)
-{
-    work *w = work_of;
-
-    free(w->u);
-    free(w->v);
-    free(w->z);
-    free(w->noisy);
-    free(w->power);
-    for (int k = 0; k < 4; k++)
-        free(w->exponent[k]);
-    free(w);
+    (void)c;
+    return kw_need_memory(1, sizeof(work));
 }
 
 /* --- surfaces on the unit square --- */
@@ -162,17 +140,17 @@ static int make_voids(const gen_call *c, gen_sample *s, int count)
     return count;
 }
 
-static void make_places(const gen_call *c, const gen_sample *s, work *w, int n, int voids)
+static void make_places(const gen_call *c, const gen_sample *s, int voids, kw_rng *r,
+                        work *w, int n)
 {
     const int sampling = gen_whole(c, SAMPLING);
-    kw_rng r = gen_rng(c, s, WHERE);
 
     for (int i = 0; i < n; i++) {
         double u, v;
 
         do {
-            u = kw_rng_uniform(&r);
-            v = kw_rng_uniform(&r);
+            u = kw_rng_uniform(r);
+            v = kw_rng_uniform(r);
             if (sampling ==
                 GRADED) { /* the density falls as 1/sqrt from the lower left */
                 u *= u;
@@ -184,25 +162,35 @@ static void make_places(const gen_call *c, const gen_sample *s, work *w, int n, 
     }
 }
 
+static void put_rows(const work *w, int n, double *row)
+{
+    for (int i = 0; i < n; i++, row += 4) {
+        row[0] = w->u[i];
+        row[1] = w->v[i];
+        row[2] = w->z[i];
+        row[3] = w->noisy[i];
+    }
+}
+
 static void make(const gen_call *c, void *work_of, gen_sample *s)
 {
     static void (*const surface[])(work *, int) = {franke, ridge, peak, step};
     work *w = work_of;
-    kw_rng how_many = gen_rng(c, s, HOW_MANY), r = gen_rng(c, s, WHICH_NOISE);
+    kw_rng how_many = gen_rng(c, s, HOW_MANY);
+    kw_rng where = gen_rng(c, s, WHERE), noise = gen_rng(c, s, WHICH_NOISE);
     const int n = gen_draw(c, POINTS_OF, &how_many);
     const int voids = make_voids(c, s, gen_draw(c, VOIDS_OF, &how_many));
     double *counts = gen_rows(s, COUNTS, 1), *row = gen_rows(s, POINTS, n);
 
     counts[0] = n;
     counts[1] = voids;
-    make_places(c, s, w, n, voids);
-    surface[gen_whole(c, SURFACE)](w, n);
-    gen_draw_noise(&r, c->low[NOISE], n, w->z, w->noisy);
-    for (int i = 0; i < n; i++, row += 4) {
-        row[0] = w->u[i];
-        row[1] = w->v[i];
-        row[2] = w->z[i];
-        row[3] = w->noisy[i];
+    for (int i = 0; i < n; i += PART) {
+        const int part = n - i < PART ? n - i : PART;
+
+        make_places(c, s, voids, &where, w, part);
+        surface[gen_whole(c, SURFACE)](w, part);
+        gen_draw_noise(&noise, c->low[NOISE], part, w->z, w->noisy);
+        put_rows(w, part, row + (size_t)4 * (size_t)i);
     }
 }
 
@@ -248,7 +236,7 @@ const gen_family gen_scatter = {
     .check = check,
     .plan = plan,
     .work_new = work_new,
-    .work_free = work_free,
+    .work_free = free,
     .make = make,
     .write = write,
 };

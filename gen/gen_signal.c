@@ -28,8 +28,9 @@ static void plan(const gen_call *c, gen_plan *p)
     char columns[GEN_TEXT];
 
     gen_plan_numbered("p", gen_whole(c, WIDTH), "", columns);
-    gen_plan_add_integers(p, "labels", 1, "class row column",
-                          "the class, and the place of the bar, edge or pattern");
+    gen_plan_add_integers(
+        p, "labels", 1, "class y x",
+        "the class, and the place of the bar, edge or pattern: line y, column x");
     gen_plan_add(p, "clean", gen_whole(c, HEIGHT), columns,
                  "the image, a row a line, 0 to 1");
     gen_plan_add(p, "noisy", gen_whole(c, HEIGHT), columns, "the same with noise");

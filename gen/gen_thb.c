@@ -149,7 +149,7 @@ static int write(const gen_call *c, const gen_sample *s, int format, const char 
 
 const gen_family gen_thb = {
     .name = "thb",
-    .summary = "THB- and HB-spline geometries on such meshes",
+    .summary = "THB- and HB-spline geometries on random hierarchical meshes",
     .about = "A sample is a geometry over the unit interval, square or cube in the "
              "THB-splines (or\n"
              "HB-splines) of a random hierarchical mesh, and points of it. The mesh is "

@@ -18,37 +18,50 @@ void gen_progress_step(gen_progress *g)
     g->done++;
     if (g->parent != 0 && getppid() != (pid_t)g->parent)
         _exit(GEN_BAD_INPUT);
-    if (!g->shown || (g->done % 64 != 0 && g->total > 10000))
+    if (!g->shown)
         return;
     now = (long)time(NULL);
     if (now - g->last < 1 + !g->written)
         return;
-    fprintf(stderr, "\rgen: %.0f %%", 100 * (double)g->done / (double)g->total);
+    /* the cursor goes back: what comes next, a message too, takes the place of the line */
+    fprintf(stderr, "gen: %.0f %%\r", 100 * (double)g->done / (double)g->total);
     g->last = now;
     g->written = 1;
 }
 
-static void end_progress(const gen_progress *g)
-{
-    if (g->written)
-        fputs("\rgen: done \n", stderr);
-}
-
 /* --- shards --- */
+
+static uint64_t samples_of(const gen_call *c, int shard)
+{
+    uint64_t begin, end, samples = 0;
+
+    for (gen_split s = GEN_TRAIN; s < GEN_SPLITS; s++) {
+        gen_range(c, s, shard, &begin, &end);
+        samples += end - begin;
+    }
+    return samples;
+}
 
 /* The shards first, first + step, .. */
 static int make_shards(const gen_call *c, const gen_plan *p, int first, int step,
                        long parent)
 {
-    gen_progress g = {.total = c->count / (uint64_t)step + 1,
-                      .shown = first == 0 && isatty(STDERR_FILENO),
+    const int speaks = parent == 0 || first == 0; /* one worker does for all */
+    gen_progress g = {.shown = speaks && isatty(STDERR_FILENO),
                       .last = (long)time(NULL),
                       .parent = parent};
+    uint64_t done = 0;
     int status = GEN_GOOD;
 
-    for (int k = first; k < c->shards && status == GEN_GOOD; k += step)
+    for (int k = first; k < c->shards; k += step)
+        g.total += samples_of(c, k);
+    for (int k = first; k < c->shards && status == GEN_GOOD; k += step) {
         status = gen_shard_make(c, p, k, &g);
-    end_progress(&g);
+        done += samples_of(c, k);
+        g.done = done; /* a shard that is left alone counts, too */
+    }
+    if (g.written && status == GEN_GOOD)
+        fputs("gen: 100 %\n", stderr);
     return status;
 }
 

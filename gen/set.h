@@ -246,8 +246,8 @@ typedef struct gen_progress {
     long parent; /* the process that a worker ends with; 0 if there is none */
 } gen_progress;
 
-/* One sample more. On a terminal a line a second, from the second second on; a worker ends if
-   its parent has. */
+/* One sample more. On a terminal a line a second, from the second second on, in place of the one
+   before; a worker ends if its parent has. */
 void gen_progress_step(gen_progress *g);
 
 /* --- shards and folders --- */

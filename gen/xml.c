@@ -94,10 +94,13 @@ static void put_boxes(kw_out *f, const kw_mesh *m)
     }
 }
 
-static void put_basis(kw_out *f, const kw_mesh *m, const char *kind)
+/* A basis that is no part of a geometry has an `id`, by which a file is asked for it. */
+static void put_basis(kw_out *f, const kw_mesh *m, const char *kind, const char *id)
 {
     kw_out_text(f, "  <Basis type=\"%sBasis", kind);
-    kw_out_text(f, m->D > 1 ? "%d\">\n" : "\">\n", m->D);
+    if (m->D > 1)
+        kw_out_text(f, "%d", m->D);
+    kw_out_text(f, "\"%s>\n", id);
     if (m->D > 1)
         kw_out_text(f, "   <Basis type=\"TensorBSplineBasis%d\">\n", m->D);
     put_directions(f, m->D, m->level[0].s);
@@ -111,7 +114,7 @@ int gen_xml_mesh(const char *path, const kw_mesh *m)
 {
     kw_out *f = begin(path);
 
-    put_basis(f, m, "THBSpline");
+    put_basis(f, m, "THBSpline", " id=\"0\"");
     return end(f);
 }
 
@@ -147,7 +150,7 @@ int gen_xml_hier(const char *path, const kw_hier *b, kw_hier_kind kind, int N,
     qsort(all, (size_t)a->size, sizeof *all, compare);
     kw_out_text(f, " <Geometry type=\"%s", name);
     kw_out_text(f, a->mesh->D > 1 ? "%d\" id=\"0\">\n" : "\" id=\"0\">\n", a->mesh->D);
-    put_basis(f, a->mesh, name);
+    put_basis(f, a->mesh, name, "");
     kw_out_text(f, "  <coefs geoDim=\"%d\">\n", N);
     for (int i = 0; i < a->size; i++)
         put_point(f, N, c + all[i].index * N);

@@ -202,10 +202,13 @@ static int is_below(kw_rng *r, int i, double x)
 
 static double deviate(kw_rng *r)
 {
+    static const double signs[] = {1, -1};
+
     for (;;) {
         const uint64_t word = kw_rng_word(r);
         const int i = (int)(word % KW_NORMAL_LAYERS);
-        const double sign = word & KW_NORMAL_LAYERS ? -1 : 1;
+        /* looked up: a processor would foretell every other branch wrong */
+        const double sign = signs[word / KW_NORMAL_LAYERS % 2];
         double x = (double)(word >> 11) * 0x1p-53 * kw_normal_edge[i];
 
         if (x < kw_normal_edge[i + 1])

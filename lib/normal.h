@@ -2,7 +2,7 @@
 
    The ziggurat: 128 layers of equal area cover the density e^(-x^2/2), x >= 0. A uniform point of
    a random layer lies below the density almost always, and mostly that is seen from its x alone;
-   else kw_exp decides, and kw_log makes the tail. So one word gives one deviate, 98 times of 100.
+   else kw_exp decides, and kw_log makes the tail. So one word gives one deviate, 97 times of 100.
    [Marsaglia, Tsang: The ziggurat method for generating random variables, J. Stat. Softw. 5
    (2000); Doornik: An improved ziggurat method to generate normal random samples, 2005: layer,
    sign and place come from different bits] */

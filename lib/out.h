@@ -6,6 +6,8 @@
    temporary, leaves an older file at that path as it was, and returns 1. So a program
    writes freely and looks once, at the end.
 
+   A renamed file is not forced to the disk: after a power failure it may be short, or hold zeros.
+
    A caller's mistake (need.h) aborts as everywhere, and leaves at most a `.tmp`.
 
    Numbers are printed with 17 digits, which give back the same double. */

@@ -107,13 +107,13 @@ static int has_hardware(void)
            (b >> 29 & 1) != 0;
 }
 
-/* Four words of the message schedule from the sixteen before them. */
-HARDWARE static inline __m128i next_words(const __m128i *w)
+/* Four words of the message schedule in place of the first four of the sixteen before them. */
+HARDWARE static inline __m128i next_words(__m128i a, __m128i b, __m128i c, __m128i d)
 {
     const __m128i sum =
-        _mm_add_epi32(_mm_sha256msg1_epu32(w[0], w[1]), _mm_alignr_epi8(w[3], w[2], 4));
+        _mm_add_epi32(_mm_sha256msg1_epu32(a, b), _mm_alignr_epi8(d, c, 4));
 
-    return _mm_sha256msg2_epu32(sum, w[3]);
+    return _mm_sha256msg2_epu32(sum, d);
 }
 
 /* The instructions keep the state as the words abef and cdgh, a in the highest place. */
@@ -130,19 +130,20 @@ HARDWARE static void compress_hardware(uint32_t *state, size_t blocks,
 
     for (; blocks > 0; blocks--, block += BLOCK) {
         const __m128i abef_before = abef, cdgh_before = cdgh;
-        __m128i w[ROUNDS / 4];
+        __m128i w[4]; /* sixteen words of the schedule */
 
-        for (int i = 0; i < ROUNDS / 4; i++) {
-            const __m128i *here = (const __m128i *)(const void *)(block + 16 * i);
-            const __m128i *k = (const __m128i *)(const void *)(constant + 4 * i);
-            __m128i sum;
+        for (int j = 0; j < 4; j++)
+            w[j] = _mm_shuffle_epi8(
+                _mm_loadu_si128((const __m128i *)(const void *)(block + 16 * j)), swap);
+        for (int i = 0; i < ROUNDS; i += 16)
+            for (int j = 0; j < 4; j++) { /* four rounds */
+                const __m128i *k = (const __m128i *)(const void *)(constant + i + 4 * j);
+                const __m128i sum = _mm_add_epi32(w[j], _mm_loadu_si128(k));
 
-            w[i] = i < 4 ? _mm_shuffle_epi8(_mm_loadu_si128(here), swap)
-                         : next_words(w + i - 4);
-            sum = _mm_add_epi32(w[i], _mm_loadu_si128(k));
-            cdgh = _mm_sha256rnds2_epu32(cdgh, abef, sum);
-            abef = _mm_sha256rnds2_epu32(abef, cdgh, _mm_shuffle_epi32(sum, 0x0e));
-        }
+                cdgh = _mm_sha256rnds2_epu32(cdgh, abef, sum);
+                abef = _mm_sha256rnds2_epu32(abef, cdgh, _mm_shuffle_epi32(sum, 0x0e));
+                w[j] = next_words(w[j], w[(j + 1) % 4], w[(j + 2) % 4], w[(j + 3) % 4]);
+            }
         abef = _mm_add_epi32(abef, abef_before);
         cdgh = _mm_add_epi32(cdgh, cdgh_before);
     }

@@ -17,10 +17,15 @@ said=$place/said
 . tests/result.inc
 cd "$place" || exit 1
 
-# make FAMILY OPTION ... -- a set of that name in the folder `set`
+# make FAMILY OPTION ... -- a set of that name in the folder `set`; no table has two columns of one name
 make() {
     rm -rf set
     "$gen" "$@" --out set >"$said" 2>&1 || result 1 "families: gen $*"
+    for file in set/*/train-*.csv; do
+        [ -e "$file" ] || continue
+        head -n 1 "$file" | tr , '\n' | sort | uniq -d >"$said"
+        [ ! -s "$said" ] || result 1 "families: gen $*: columns of one name in $file"
+    done
 }
 
 # table ARRAY -- the first shard of the train split of an array, without its header

@@ -109,6 +109,55 @@ static void any_number_of_them(void)
     }
 }
 
+/* Any two parts are the whole: the second goes on where the first ended. */
+static void in_two_parts(void)
+{
+    enum { ALL = 300 };
+    double whole[ALL], parts[ALL];
+    kw_rng r = kw_rng_at(13, 1, 2, 3);
+
+    kw_normal_many(&r, ALL, whole);
+    for (int n = 0; n <= ALL; n++) {
+        int different = 0;
+
+        r = kw_rng_at(13, 1, 2, 3);
+        kw_normal_many(&r, n, parts);
+        kw_normal_many(&r, ALL - n, parts + n);
+        for (int i = 0; i < ALL; i++)
+            different += whole[i] != parts[i];
+        CHECK(different == 0, "%d and %d: %d differ", n, ALL - n, different);
+    }
+}
+
+/* Where a point lies below the next layer, its deviate is made of one word alone: 7 bits of the
+   layer, a bit of the sign, 53 bits of the place. The widths say how often that is: five standard
+   deviations of a binomial count. */
+static void one_word(void)
+{
+    double share = 0;
+    int inside = 0;
+
+    for (int k = 0; k < COUNT; k++) {
+        kw_rng r = kw_rng_at(14, 0, (uint64_t)k, 0);
+        const uint64_t word = kw_rng_word(&r);
+        const int layer = (int)(word & (KW_NORMAL_LAYERS - 1));
+        const double x = kw_normal_edge[layer] * ((double)(word >> 11) * 0x1p-53);
+        double found;
+
+        if (!(x < kw_normal_edge[layer + 1]))
+            continue;
+        inside++;
+        r = kw_rng_at(14, 0, (uint64_t)k, 0);
+        kw_normal_many(&r, 1, &found);
+        CHECK(found == (word & KW_NORMAL_LAYERS ? -x : x), "word %llx: %g",
+              (unsigned long long)word, found);
+    }
+    for (int i = 0; i < KW_NORMAL_LAYERS; i++)
+        share += kw_normal_edge[i + 1] / kw_normal_edge[i] / KW_NORMAL_LAYERS;
+    CHECK(fabs((double)inside / COUNT - share) < 5 * sqrt(share * (1 - share) / COUNT),
+          "%d of %d, not %g", inside, COUNT, share);
+}
+
 int main(void)
 {
     test_run("normal: layers have the same area", layers);
@@ -116,5 +165,7 @@ int main(void)
     test_run("normal: distribution", distribution);
     test_run("normal: neighbours are independent", neighbours);
     test_run("normal: the first do not depend on how many follow", any_number_of_them);
+    test_run("normal: any two parts are the whole", in_two_parts);
+    test_run("normal: a point inside its layer takes one word", one_word);
     return test_end();
 }
