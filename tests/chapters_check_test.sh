@@ -59,6 +59,8 @@ edit 's/a.count]{.ours/a.none]{.ours/'
 defect "a claim that is not in the ledger" 'claim a.none' 'not in the ledger'
 edit 's/a.count]{.printed/a.coun]{.printed/'
 defect "a claim whose name is the beginning of another" 'claim a.coun,' 'not in the ledger'
+edit 's/a.count]{.ours/a.nought]{.none/'
+defect "a word for a claim that is not in the ledger" 'claim a.nought' 'not in the ledger'
 edit 's/"twice"/"thrice"/'
 defect "a function that is not defined" 'pulls thrice' lib/twice.c
 edit 's/twice.c"/none.c"/'

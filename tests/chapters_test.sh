@@ -45,7 +45,7 @@ check_text() {
     # shellcheck disable=SC2016  # the dollars of formulas
     # what is left without code, math, attributes, references and links
     sed -e 's/`[^`]*`//g' -e 's/\$[^$]*\$//g' -e 's/\[[^]]*\]{[^}]*}//g' -e 's/\[@[^]]*\]//g' \
-        -e 's/([^)]*\.svg)//g' -e 's/ER-[0-9]*//g' -e 's/equation ([0-9]*)//g' \
+        -e 's/([^)]*\.svg)//g' -e 's/ER-[0-9]*//g' -e 's/[Ee]quation ([0-9]*)//g' \
         -e 's/\(Figure\|Definition\|Remark\|figure\|definition\|remark\) [0-9][0-9]*//g' "$text" |
         grep -nE '(^|[^A-Za-z0-9_.])[0-9]{2,}' | sed "s|^|$text types a number by hand, line |"
 }

@@ -1,8 +1,8 @@
 /* Splits -- three sets of samples, and what each is for.
 
-   What to see: the training set's loss falls as long as one trains, far below what the
-   law itself has there, while the loss on new samples rises again. The validation set, which no step has used, says
-   when to stop. The test set is looked at once, at the end.
+   What to see: the loss on the training set falls as long as one trains, far below what the law
+   itself has there, while the loss on new samples rises again. The validation set, which no step
+   has used, says when to stop. (The test set, looked at once, at the end, is not in the picture.)
 
    Book: section 1.2, training, validation and test sets, overfitting, early stopping.
    Claims: learn.split.*

@@ -1,9 +1,9 @@
 /* Learnable parameters -- Remark 10 against counting.
 
    What to see: nothing to look at. Weights and biases are found by trial: an edge where a change
-   of one unit changes another, a bias where a unit gives something for nothing. Parameters
-   that the output depends on are found by the gradient. The formula of Remark 10 has the same number. With the
-   printed range of the biases, which leaves out the last layer, it would not.
+   of one unit changes another, a bias where a unit gives something for nothing. Parameters that
+   the output depends on are found by the gradient. The formula of Remark 10 has the same number.
+   With the printed range of the biases, which leaves out the last layer, it would not.
 
    Book: section 1.2, Definition 10 and Remark 10.
    Claims: mlp.rem10.*, mlp.def10.range.*, mlp.def10.maps

@@ -3,7 +3,7 @@
    What to see: a smooth signal on the cells of an adaptive mesh is hidden under noise, and
    two networks learn from pairs of signals to find it. The graph network knows which cells
    are neighbours, and a few pairs are enough; the MLP has to learn that as well, and needs
-   hundreds; with a thousand it does better.
+   hundreds; with a thousand it does a little better.
 
    Book: section 1.2, graph networks for data with a mesh structure.
    Claims: gcn.signal.*

@@ -1,9 +1,9 @@
 /* Symmetries -- what takes the place of translations on a graph.
 
    What to see: nothing to look at. A convolution on a grid is a linear map that commutes with
-   translations, and that leaves one number a tap of the filter. On a graph the maps that move
-   no edge take their place: on a circle they add a mirror, so that a filter has to be
-   symmetric; most graphs have none but the identity, and then everything commutes.
+   translations, and that leaves one number a tap of the filter. On a graph the permutations
+   that keep the edges take their place: on a circle they add a mirror, so that a filter has to be
+   symmetric; other graphs have none but the identity, and then everything commutes.
 
    Book: section 1.2, on the convolution on a grid and the translations on a graph.
    Claims: gcn.symmetry.*

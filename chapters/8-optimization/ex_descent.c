@@ -1,7 +1,7 @@
 /* Descent -- the paths of three methods on the loss of a single unit.
 
-   What to see: (a) without an activation the loss is one valley; each method crosses it to and
-   fro. (c) Momentum is much sooner at its lowest point. (b) With tanh there are two minima and
+   What to see: (a) without an activation the loss is one valley; descent and momentum cross it
+   to and fro. (c) Momentum is much sooner at its lowest point. (b) With tanh there are two minima and
    high plains: from the same start descent and Adam end in the worse one, and momentum runs
    past it. (d) Momentum and Adam raise the loss on the way, descent does not.
 

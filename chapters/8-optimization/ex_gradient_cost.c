@@ -2,7 +2,7 @@
 
    What to see: (a) by backpropagation a gradient costs less than three values, however many
    parameters there are; by differences it costs two values for each of them. (b) Why: it is a
-   sum over all paths through the graph, but every edge is passed three times only.
+   sum over all paths through the graph, but every edge is passed three times at most.
 
    Book: section 1.2, Optimization.
    Claims: opt.cost.*, opt.batch.*

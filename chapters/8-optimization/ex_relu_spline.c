@@ -1,8 +1,8 @@
 /* Where the two halves meet -- a ReLU network is a linear spline, knots and all.
 
    What to see: the same function as a sum of (a) linear B-splines, each of which lives on two
-   cells, and (b) ReLU units, each of which begins at a knot and never ends. The units bend at
-   the knots by the weights, and far off they only cancel each other.
+   cells, and (b) ReLU units, each of which begins at a knot and never ends. On the right
+   the units are far larger than their sum, and cancel each other.
 
    Book: section 1.1, (9), and section 1.2, Definition 10, Remark 9.
    Claims: opt.relu.*

@@ -1,8 +1,9 @@
 /* A spline and a network fit the same function -- error against parameters.
 
-   What to see: (a) seven parameters each. (b) The error of the splines falls as there are more
-   coefficients, and cubic ones with an odd number of them have a knot at the peak; that of the
-   networks is small at once, and then it depends on how long they are trained.
+   What to see: (a) with seven parameters the network is nearer than the cubic spline. (b) The
+   error of the splines falls as there are more coefficients, and jumps: with an odd number of
+   them a knot is at the peak. The networks are ahead of the cubic spline at first and behind it
+   later, where their error depends on how long they are trained.
 
    Book: section 1.1, (9), and section 1.2, the text before Figure 15, Optimization.
    Claims: opt.fit.*

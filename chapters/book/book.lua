@@ -22,7 +22,8 @@ end
 
 -- All that the parts of the page know of each other.
 local function gather()
-    local book = { problem = problem, drivers = {}, files = {}, items = {}, errata = {}, shown = {},
+    local book = { problem = problem, drivers = {}, files = {}, items = {}, errata = {}, shown = {}, lessons = {},
+        headings = {},
         seen = { item = {}, claim = {}, driver = {} } }
     local names = {}
     book.programs = source.files("chapters/*.h chapters/[0-9]*/*.[ch]")
@@ -42,7 +43,7 @@ local function gather()
         end
     end
     book.list, book.claims = ledger.claims("chapters/claims.tsv")
-    ledger.read_reports(book.claims, os.getenv("REPORTS"), names)
+    book.reported = ledger.read_reports(book.claims, os.getenv("REPORTS"), names)
     book.errata_list = ledger.errata("chapters/ERRATA.md", book.claims)
     for _, erratum in ipairs(book.errata_list) do
         book.errata[erratum.name] = erratum
@@ -71,16 +72,16 @@ local function weave_lessons(lessons)
 end
 
 function Pandoc(doc)
-    local book, lessons = gather(), {}
+    local book = gather()
     stop_on_problems()
     lesson.use(book)
     for _, path in ipairs(source.files("chapters/[0-9]*/chapter.md")) do
-        lessons[#lessons + 1] = lesson.read(path)
+        table.insert(book.lessons, lesson.read(path))
     end
     doc.blocks = lesson.weave({ path = "chapters/book/front.md", blocks = doc.blocks,
         part = function(name)
             if name == "lessons" then
-                return weave_lessons(lessons)
+                return weave_lessons(book.lessons)
             end
             return tables[name] and tables[name](book)
         end })

@@ -52,16 +52,20 @@ function ledger.claims(path)
     return list, by_id
 end
 
--- Notes with each claim the driver that reports it.
+-- Notes with each claim the driver that reports it; how many claims each driver reports.
 function ledger.read_reports(by_id, folder, drivers)
+    local reported = {}
     for _, driver in ipairs(drivers) do
+        reported[driver] = 0
         for _, line in ipairs(lines(folder .. "/" .. driver .. ".tsv")) do
             local claim = by_id[fields(line)[1]]
             if claim then
                 claim.driver = driver
+                reported[driver] = reported[driver] + 1
             end
         end
     end
+    return reported
 end
 
 -- The errata in the order of the file: name, title, ids of their claims. Each claim learns

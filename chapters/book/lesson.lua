@@ -32,10 +32,20 @@ local function kind_before(words, i)
     return before and NOUN[before:match("^%p*(%a+)$")]
 end
 
--- Reports the numbers of two digits and more in running text that are typed by hand.
+-- Does a formula state a result: is it a number, or does it end in one? The constants of a formula
+-- with letters in it, as in (1 + 25 x^2), are part of what it says.
+local function states_number(formula)
+    local text = formula:gsub("\\[lg]eq?%f[%A]", "="):gsub("\\approx%f[%A]", "="):gsub("\\%a+", "")
+    return text:match("%d%d") and
+        (not text:match("%a") or text:match("[=<>]%s*[%d.]*%d%d[%d.]*[%s.,]*$"))
+end
+
+-- Reports the numbers of two digits and more that are typed by hand, in running text or as formulas.
 local function check_numbers(words, place)
     for i, word in ipairs(words) do
-        if word.t == "Str" then
+        if word.t == "Math" and states_number(word.text) then
+            book.problem(place, "types a number by hand, in a formula: " .. word.text)
+        elseif word.t == "Str" then
             local text = word.text:gsub("ER%-%d+", "")
             if not kind_before(words, i) and text:gsub("%a[%w_]*", ""):match("%d%d") then
                 book.problem(place, "types a number by hand: " .. word.text)
@@ -48,8 +58,8 @@ local function check_numbers(words, place)
     end
 end
 
--- A number from the ledger, linked to its line there.
-local function from_ledger(span, column, place)
+-- A number from the ledger, linked to its line there; with a word for it, which says that it is zero.
+local function from_ledger(span, column, place, word)
     local id = pandoc.utils.stringify(span)
     local claim = book.claims[id]
     if not claim then
@@ -63,18 +73,25 @@ local function from_ledger(span, column, place)
     if column == "ours" and not claim.driver then
         book.problem(place, "takes a number from claim " .. id .. ", which no driver reports")
     end
+    if word and claim[column] ~= "0" then
+        book.problem(place, "says `" .. word .. "' of claim " .. id .. ", which is " .. claim[column])
+    end
     local title = "printed in the book"
     if column == "ours" then
         title = "computed by " .. (claim.driver or "nobody")
     end
     return html(('<a class="%s" href="#claim-%s" title="%s: %s">%s</a>'):format(column, id, id,
-        title, ledger.value(claim[column])))
+        title, word or ledger.value(claim[column])))
 end
+
+local ZERO = { no = true, none = true }
 
 local function replace_span(span, place)
     local class = span.classes[1]
     if class == "ours" or class == "printed" then
         return from_ledger(span, class, place)
+    elseif ZERO[class] then
+        return from_ledger(span, "ours", place, class)
     elseif class and class ~= "chosen" then
         book.problem(place, "has a span of the unknown class " .. class)
     end
@@ -157,11 +174,17 @@ local function keep_together(words)
     return result
 end
 
+-- pandoc takes \ell for an operator, with space around it; the letter itself is a letter.
+local function formula(math)
+    math.text = math.text:gsub("\\ell%f[%A]", "ℓ")
+    return math.mathtype == "DisplayMath" and pandoc.Span({ math }, { class = "display" }) or math
+end
+
 -- --- blocks ---
 
 local function listing(div, place)
     local path, name = div.attributes.file, div.attributes["function"]
-    local first, last = 1, nil
+    local first, last = 1
     if name then
         first, last = source.find(path, name)
     elseif source.lines(path) then
@@ -218,6 +241,15 @@ local function is_figure(block)
     return block.t == "Para" and #block.content == 1 and block.content[1].t == "Image"
 end
 
+-- A table is as wide as what is in it, and scrolls if that is too wide. (pandoc gives columns a
+-- share of the page if a line of their source is long.)
+local function wide_table(block)
+    for i, column in ipairs(block.colspecs) do
+        block.colspecs[i] = { column[1], nil }
+    end
+    return pandoc.Div({ block }, { class = "scroll" })
+end
+
 local function replace_div(div, place, at)
     local class = div.classes[1]
     if class == "code" then
@@ -246,12 +278,12 @@ end
 -- Headings go down one level, as the page has the title; each links to itself.
 local function heading(header, at)
     local text = header:walk({ Link = function(link) return link.content end }).content
-    local slug = section_id(header, at)
+    local slug, class = section_id(header, at), {}
     if header.level == 1 and at.number then
         local number = pandoc.Span(at.number, { class = "number" })
-        text = pandoc.List({ number, pandoc.Space() }) .. text
+        text, class = pandoc.List({ number, pandoc.Space() }) .. text, { "lesson" }
     end
-    return pandoc.Header(header.level + 1, { pandoc.Link(text, "#" .. slug) }, pandoc.Attr(slug))
+    return pandoc.Header(header.level + 1, { pandoc.Link(text, "#" .. slug) }, pandoc.Attr(slug, class))
 end
 
 -- Where an item, a claim or a driver is spoken of: notes the section, once each.
@@ -269,8 +301,10 @@ local function survey(blocks, at)
     for _, block in ipairs(blocks) do
         if block.t == "Header" then
             count = count + 1
-            section = { id = section_id(block, at), title = pandoc.utils.stringify(block),
-                lesson = at.number, overview = count <= 2, place = at.number * 1000 + count }
+            local title = pandoc.utils.stringify(block)
+            local aside = title:match("^Where we differ: ") or title:match("^Exercise: ")
+            section = { id = section_id(block, at), title = title, lesson = at.number,
+                overview = count <= 2 or aside, place = at.number * 1000 + count }
         end
         block:walk({
             Inlines = function(words)
@@ -302,6 +336,29 @@ local function survey(blocks, at)
     end
 end
 
+-- Every lesson has a program, a figure and an exercise with its answer. The contents list all
+-- headings, so no two lessons have one in common.
+local function check_parts(at)
+    local found = {}
+    pandoc.Div(at.blocks):walk({
+        Header = function(header)
+            local text = pandoc.utils.stringify(header)
+            found.exercise = found.exercise or text:match("^Exercise: ")
+            if book.headings[text] and header.level == 2 then
+                book.problem(at.path, "has the heading `" .. text .. "', as has " .. book.headings[text])
+            end
+            book.headings[text] = at.path
+        end,
+        Div = function(div) found[div.classes[1] or ""] = true end,
+        Image = function() found.figure = true end,
+    })
+    for _, part in ipairs({ "code", "figure", "exercise", "answer" }) do
+        if not found[part] then
+            book.problem(at.path, "lacks what every lesson has: " .. part)
+        end
+    end
+end
+
 -- Reads chapters/N-name/chapter.md.
 function lesson.read(path)
     local file = io.open(path, "r")
@@ -311,6 +368,8 @@ function lesson.read(path)
     local read = { path = path, number = number, slug = slug,
         blocks = pandoc.read(text, "markdown").blocks }
     survey(read.blocks, read)
+    check_parts(read)
+    read.title = read.blocks[1] and pandoc.utils.stringify(read.blocks[1])
     return read
 end
 
@@ -327,17 +386,14 @@ function lesson.weave(at)
         local woven = pandoc.Div({ block }):walk({
             Span = function(span) return replace_span(span, place) end,
             Code = function(code) return replace_code(code, place) end,
-            Math = function(math)
-                if math.mathtype == "DisplayMath" then
-                    return pandoc.Span({ math }, { class = "display" })
-                end
-            end,
+            Math = formula,
         }):walk({
             Inlines = function(list) return keep_together(link_words(list, place)) end,
         }):walk({
             Para = function(para)
                 return is_figure(para) and figure(para.content[1], place) or nil
             end,
+            Table = wide_table,
             Div = function(div) return #div.classes > 0 and replace_div(div, place, at) or nil end,
             Header = function(header) return heading(header, at) end,
         })

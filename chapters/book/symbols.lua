@@ -52,7 +52,8 @@ end
 function symbols.html(text)
     local result, at = {}, 1
     while at <= #text do
-        local more, after = "", base_end(text, at)
+        local more
+        local after = base_end(text, at)
         if after then
             local base = text:sub(at, after - 1)
             more, at = scripts(text, after)

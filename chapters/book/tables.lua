@@ -34,12 +34,42 @@ something else, for reasons that <b>%d</b> errata explain.</p>]]):format(#book.l
         #book.errata_list)) }
 end
 
+-- What the programs of a lesson come to; by their paths, which begin with its folder.
+local function size_of(book, folder)
+    local size = { programs = 0, lines = 0, claims = 0, pictures = 0 }
+    for name, path in pairs(book.drivers) do
+        if path:sub(1, #folder) == folder then
+            size.programs = size.programs + 1
+            size.lines = size.lines + #source.lines(path)
+            size.claims = size.claims + book.reported[name]
+            size.pictures = size.pictures + (book.shown[name] and 1 or 0)
+        end
+    end
+    return size
+end
+
+-- How much work each lesson is, in numbers that are the same on every machine.
+function tables.size(book)
+    local row = "<tr><th scope=\"row\">%s</th><td>%d</td><td>%d</td><td>%d</td><td>%d</td></tr>\n"
+    local rows = {}
+    for _, lesson in ipairs(book.lessons) do
+        local size = size_of(book, lesson.path:match("^(.*/)"))
+        rows[#rows + 1] = row:format(lesson.number .. " " .. link(lesson.slug, lesson.title),
+            size.programs, size.lines, size.claims, size.pictures)
+    end
+    return { raw([[<div class="scroll"><table class="size">
+<thead><tr><th scope="col">Lesson</th><th scope="col">Programs</th><th scope="col">Lines</th>
+<th scope="col">Claims</th><th scope="col">Pictures</th></tr></thead>
+<tbody>
+]] .. table.concat(rows) .. "</tbody></table></div>") }
+end
+
 local KIND = { Def = "Definition %d", Rem = "Remark %d", Eq = "Equation (%d)", Fig = "Figure %d",
     List = "List %d" }
 
 -- The sections that speak of an item, in their order: by its name or by one of its claims; if
 -- there is none, those that speak of a program that computes it. What a lesson says in its
--- overview counts only if nothing else does.
+-- overview, on the print or in its exercise counts only if nothing else does.
 local function explained(book, item)
     local found, overview, known = {}, {}, {}
     local function add(sections)
@@ -126,7 +156,7 @@ local function authors(list)
     end)
 end
 
-function tables.cite(book)
+function tables.cite()
     local function text(value)
         return escape(pandoc.utils.stringify(value))
     end
@@ -225,18 +255,23 @@ function tables.ledger(book)
     return { raw('<dl class="ledger">\n' .. table.concat(rows) .. "</dl>") }
 end
 
-local function program(path)
-    local text = escape(table.concat(source.lines(path), "\n"))
-    return ([[<details class="program" id="%s"><summary>%s</summary><pre><code>%s
+local function program(book, path)
+    local lines, name = source.lines(path), path:match("([%w_]+)%.c$")
+    local size = ("%d lines"):format(#lines)
+    if book.drivers[name] == path then
+        local claims = book.reported[name]
+        size = ("%s, %d %s"):format(size, claims, claims == 1 and "claim" or "claims")
+    end
+    return ([[<details class="program" id="%s"><summary>%s <span class="size">%s</span></summary><pre><code>%s
 </code></pre></details>
-]]):format(path, path, text)
+]]):format(path, path, size, escape(table.concat(lines, "\n")))
 end
 
 function tables.programs(book)
     local html = {}
     for _, list in ipairs({ book.programs, book.lib }) do
         for _, path in ipairs(list) do
-            html[#html + 1] = program(path)
+            html[#html + 1] = program(book, path)
         end
     end
     return { raw(table.concat(html)) }

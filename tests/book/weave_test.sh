@@ -32,6 +32,7 @@ good() {
     claim a.off count 63 72 'Def 3'
     claim a.large count 1234567 -20000 'Text 1'
     claim a.same count 56 56 'Eq 10'
+    claim a.zero count - 0 'Text 1'
     claim a.none none - - 'Rem 5'
     claim a.real real - 0.70710678118654752 'Text 1'
     claim a.small max - -4.8e-15 'Text 1'
@@ -54,7 +55,7 @@ int main(void)
 END_OF_C
     sed 's/Figure 4/Example/; s/Chosen here.*/*\//' chapters/1-one/fig04.c >chapters/1-one/ex_one.c
     printf 'bs.fig4.pieces\t4\n' >reports/fig04.tsv
-    printf '%s\t1\n' tp.fig6.functions a.off a.same a.real a.small a.range >reports/ex_one.tsv
+    printf '%s\t1\n' tp.fig6.functions a.off a.same a.zero a.real a.small a.range >reports/ex_one.tsv
     cat >lib/twice.c <<'END_OF_C'
 int twice(int a);
 
@@ -84,7 +85,13 @@ See Definition 3, Remark 5, equation (10) and Figure 4, and `ex_one.c`; [a.real]
 
 ![What is seen.](../../figures/fig04.svg)
 
-Then $x^{10}$, by `f(100)`.
+Then $\ell x^{10}$, by `f(100)`, has [a.zero]{.no} exceptions.
+
+| two | columns |
+|-----|---------|
+| and | a long line of their source, which would make the table as wide as the page is |
+
+## Exercise: two
 
 ::: {.answer}
 Two.
@@ -133,17 +140,22 @@ weave page.html && weave again.html && cmp page.html again.html >out
 result $? "weave: a good book is woven, twice to the same bytes"
 has "a number of ours" '<a class="ours" href="#claim-a.off" title="a.off: computed by ex_one">72</a>'
 has "a number that is printed" '<a class="printed" href="#claim-a.off" title="a.off: printed in the book">63</a>'
+has "a word for a zero" '<a class="ours" href="#claim-a.zero" title="a.zero: computed by ex_one">no</a> exceptions'
 has "a long number is cut" '>0.7071</a>'
 has "a small number has a power of ten" '>−4.8·10<sup>−15</sup></a>'
 has "large numbers in groups of three" "count: <b>−20${blank}000</b>; printed 1${blank}234${blank}567."
 has "a range" '>0 to 1.5</a>'
 has "a function with its comment and its lines" '<code>twice</code>, <a href="#lib/twice.c">lib/twice.c</a>, lines 3 to 8<'
 lacks "no other function" 'id="cb2"'
-has "a whole program" 'id="lib/twice.c"><summary>lib/twice.c</summary><pre><code>int twice(int a);'
+has "a whole program" 'id="lib/twice.c"><summary>lib/twice.c <span class="size">13 lines</span></summary><pre><code>int twice(int a);'
 has "a figure with its title, caption and what to see" 'it is there, if a &lt; b.'
 has "a reference" '<a href="#ER-09">ER-09</a>'
 has "an equation" '<a href="#Eq-10">equation (10)</a>'
 has "a formula with its comma" '<span class="together"><math'
+has "the letter l is a letter" '<mi>ℓ</mi>'
+lacks "a table of a fixed width" '<col '
+has "how large a lesson is" '<a href="#one">One</a></th><td>2</td><td>22</td><td>8</td><td>1</td>'
+has "how large a program is" 'fig04.c <span class="size">11 lines, 1 claim</span>'
 has "a source" 'id="ref-farin2002"'
 has "an answer that is folded" '<details class="answer">'
 has "a verdict: corrected" '<td class="corrected">corrected: <a href="#ER-09">ER-09</a></td>'
@@ -166,10 +178,23 @@ edit reports/ex_one.tsv '/a.real/d'
 defect "a number that no driver reports" "$text" 'claim a.real, which no driver reports'
 edit $text 's/12]{.chosen/12]{.choosen/'
 defect "a mark that is not known" "$text" 'unknown class choosen'
-edit $text 's/{.answer}/{.anwser}/'
+edit $text 's/^Then/::: {.anwser}\nTwo.\n:::\n\n&/'
 defect "a block that is not known" "$text" 'unknown class anwser'
 edit $text 's/\[12\]{.chosen}/12/'
 defect "a number that is typed by hand" "$text, What the section shows" 'types a number by hand: 12'
+edit $text 's/\[a.zero\]{.no}/[a.same]{.no}/'
+defect "a word for a number that is not zero" "$text" "says \`no' of claim a.same, which is 56"
+# shellcheck disable=SC2016  # the dollars of formulas
+edit $text 's/\$.*\$/$x = 12.5$/'
+defect "a formula that ends in a number" "$text" 'in a formula: x = 12.5'
+# shellcheck disable=SC2016
+edit $text 's/\$.*\$/$10^{-3}$/'
+defect "a formula that is a number" "$text" 'in a formula: 10^{-3}'
+edit $text 's/^## Exercise: two/## An exercise/'
+defect "a lesson without an exercise" "$text" 'lacks what every lesson has: exercise'
+mkdir chapters/2-two
+sed 's/^# One/# Two/; s/^## Exercise: two/## Exercise: three/' $text >chapters/2-two/chapter.md
+defect "two lessons with the same heading" chapters/2-two "What the section shows', as has $text"
 edit $text 's/What is seen/What 144 cells are/'
 defect "a number in a caption" "$text" 'types a number by hand: 144'
 edit $text 's/12]{.chosen} cells/12]{.chosen} *cells (of 3.14)*/'
