@@ -65,7 +65,13 @@ static const char *const files =
     "rows, which\n"
     "stands in `counts`. Shards are joined by concatenation in the order of their "
     "numbers.\n"
-    "`FORMAT/SPLIT-INDEX.FORMAT` is a file of one sample. `SHA256SUMS` is checked by\n"
+    "`FORMAT/SPLIT-INDEX.FORMAT` is a file of one sample: `ply` the noisy points with "
+    "their\n"
+    "parameters, `mesh` the boxes, `vtu` the cells with their levels, `xml` the spline "
+    "or the mesh "
+    "as\n"
+    "G+Smo reads it. `gen FAMILY --help` says what each option of the call means. "
+    "`SHA256SUMS` is checked by\n"
     "`sha256sum -c SHA256SUMS`, and all by `gen verify` and the name of this folder. "
     "Every file was\n"
     "renamed to its name when it was whole, but not forced to the disk: after a power "
@@ -227,8 +233,14 @@ static int write_sums(const gen_call *c)
     return kw_out_close(f);
 }
 
+/* Two calls that end at the same time would write into the same temporary. */
 int gen_about(const gen_call *c, const gen_plan *p)
 {
-    return write_datasheet(c, p) || write_package(c, p) || write_sums(c) ? GEN_BAD_INPUT
-                                                                         : GEN_GOOD;
+    int failed, lock = gen_folder_lock(c, c->shards);
+
+    if (lock < 0)
+        return GEN_BAD_INPUT;
+    failed = write_datasheet(c, p) || write_package(c, p) || write_sums(c);
+    gen_folder_unlock(c, c->shards, lock, 1);
+    return failed ? GEN_BAD_INPUT : GEN_GOOD;
 }

@@ -3,7 +3,6 @@
 #include "need.h"
 #include "set.h"
 #include <errno.h>
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +10,7 @@
 
 static const uint64_t MOST = (uint64_t)1 << 63; /* samples end here */
 
-enum { MOST_SHARDS = 99999, MOST_JOBS = 1024, MOST_WORDS = 2 * (GEN_PARAMETERS + 10) };
+enum { MOST_SHARDS = 99999, MOST_WORDS = 2 * (GEN_PARAMETERS + 10) };
 
 /* The options of every family, in the order of the text. */
 enum {
@@ -91,8 +90,9 @@ static int read_number(const gen_parameter *p, const char *text, char **end,
 
     *value = strtod(text, end);
     if (*end == text || *end > text + length)
-        return gen_say(GEN_BAD_CALL, "%s is `%s', not %s", p->name, text,
+        return gen_say(GEN_BAD_CALL, "%s has `%s' in place of %s", p->name, text,
                        p->kind == GEN_REAL ? "a number" : "an integer");
+    *value += 0; /* -0 becomes 0: the bytes differ, and the text of the call would not */
     return in_bounds(p, text, *value);
 }
 
@@ -227,7 +227,7 @@ static int read_shards(gen_call *c, const words *w)
     uint64_t shards, shard = 0, jobs;
 
     if (read_integer("--shards", w->option[SHARDS], MOST_SHARDS, &shards) != GEN_GOOD ||
-        read_integer("--jobs", w->option[JOBS], MOST_JOBS, &jobs) != GEN_GOOD)
+        read_integer("--jobs", w->option[JOBS], GEN_JOBS, &jobs) != GEN_GOOD)
         return GEN_BAD_CALL;
     if (shards == 0 || jobs == 0)
         return gen_say(GEN_BAD_CALL, "%s is 0", shards == 0 ? "--shards" : "--jobs");
@@ -402,13 +402,29 @@ int gen_draw(const gen_call *c, int p, kw_rng *r)
     return (int)c->low[p] + kw_rng_below(r, (int)(c->high[p] - c->low[p]) + 1);
 }
 
+int gen_is_standard(const gen_call *c, int p)
+{
+    const gen_parameter *parameter = &c->family->parameter[p];
+    double low, high;
+
+    return read_value(parameter, parameter->standard, &low, &high) == GEN_GOOD &&
+           low == c->low[p] && high == c->high[p];
+}
+
 /* --- help --- */
+
+static void print_list(const char *list)
+{
+    printf(": ");
+    for (; *list; list++)
+        printf(*list == ' ' ? ", " : "%c", *list);
+}
 
 static void print_parameter(const gen_parameter *p)
 {
     printf("  %-14s %s", p->name, p->about);
     if (p->kind == GEN_WORD)
-        printf(": %s", p->words);
+        print_list(p->words);
     else
         printf(", %.10g .. %.10g%s", p->least, p->most,
                p->kind == GEN_RANGE ? ", or a range, as 4-8" : "");

@@ -200,6 +200,15 @@ int gen_folder_begin(const gen_call *c, const gen_plan *p)
 
 /* --- locks --- */
 
+int gen_folder_begun(const gen_call *c, int shard)
+{
+    char relative[GEN_PATH], path[GEN_PATH];
+
+    gen_path_stamp(c, shard, "begun", relative);
+    gen_path_join(c, relative, path);
+    return access(path, F_OK) == 0;
+}
+
 /* 0 if somebody else has it and keeps it for two seconds: a worker whose parent was killed needs a
    moment to notice. A file system without locks gives it to everybody. */
 static int take_lock(int file)
@@ -224,6 +233,31 @@ static int write_stamp(int file, const char *text)
            ftruncate(file, length) == 0;
 }
 
+/* Who had the lock before may have removed the file: then it is nobody's, and another has its name. */
+static int is_removed(int file)
+{
+    struct stat status;
+
+    return fstat(file, &status) == 0 && status.st_nlink == 0;
+}
+
+static int open_locked(const char *path)
+{
+    for (;;) {
+        int file = open(path, O_RDWR | O_CREAT, 0666);
+
+        if (file < 0)
+            return gen_say(-1, "cannot write %s: %s", path, strerror(errno));
+        if (!take_lock(file)) {
+            close(file);
+            return gen_say(-1, "%s: another process is at work on it", path);
+        }
+        if (!is_removed(file))
+            return file;
+        close(file);
+    }
+}
+
 int gen_folder_lock(const gen_call *c, int shard)
 {
     char relative[GEN_PATH], path[GEN_PATH];
@@ -231,13 +265,9 @@ int gen_folder_lock(const gen_call *c, int shard)
 
     gen_path_stamp(c, shard, "begun", relative);
     gen_path_join(c, relative, path);
-    file = open(path, O_RDWR | O_CREAT, 0666);
+    file = open_locked(path);
     if (file < 0)
-        return gen_say(-1, "cannot write %s: %s", path, strerror(errno));
-    if (!take_lock(file)) {
-        close(file);
-        return gen_say(-1, "%s: another process makes this shard", path);
-    }
+        return -1;
     errno = EIO;
     if (!write_stamp(file, c->text)) {
         gen_say(-1, "cannot write %s: %s", path, strerror(errno));

@@ -2,7 +2,6 @@
 #include "draw.h"
 #include "elementary.h"
 #include "gen.h"
-#include "need.h"
 #include "normal.h"
 #include "set.h"
 #include <math.h>

@@ -25,10 +25,14 @@ typedef struct work {
 
 static int check(const gen_call *c)
 {
-    if (c->low[CONTROLS_OF] > c->low[DEGREE])
-        return GEN_GOOD;
-    return gen_say(GEN_BAD_CALL, "--controls %g: degree %g needs %g at least",
-                   c->low[CONTROLS_OF], c->low[DEGREE], c->low[DEGREE] + 1);
+    if (c->low[CONTROLS_OF] <= c->low[DEGREE])
+        return gen_say(GEN_BAD_CALL, "--controls %g: degree %g needs %g at least",
+                       c->low[CONTROLS_OF], c->low[DEGREE], c->low[DEGREE] + 1);
+    if (gen_whole(c, PARAMETERS) == PINNED && c->low[POINTS_OF] < 2)
+        return gen_say(GEN_BAD_CALL,
+                       "--points %g and --parameters pinned: both ends are 2 points",
+                       c->low[POINTS_OF]);
+    return GEN_GOOD;
 }
 
 static void plan(const gen_call *c, gen_plan *p)
@@ -210,10 +214,10 @@ const gen_family gen_curve = {
             [POINTS_OF] = {"--points", GEN_RANGE, "100", 1, MOST_POINTS, NULL,
                            "points of a curve"},
             [LAW] = {"--law", GEN_WORD, "normal", 0, 0, "normal uniform walk",
-                     "control points; a walk has normal steps"},
-            [PARAMETERS] = {"--parameters", GEN_WORD, "sorted", 0, 0,
-                            "sorted pinned equal",
-                            "sorted random ones, with both ends, or equal steps"},
+                     "how control points are drawn (a walk has normal steps)"},
+            [PARAMETERS] =
+                {"--parameters", GEN_WORD, "sorted", 0, 0, "sorted pinned equal",
+                 "random in order, the same with both ends, or in equal steps"},
             [KNOTS_OF] = {"--knots", GEN_WORD, "equal", 0, 0, "equal random",
                           "distances of the inner knots"},
             [NOISE] = {"--noise", GEN_REAL, "0.01", 0, 1000, NULL,

@@ -1,7 +1,6 @@
 /* gen graph -- random geometric graphs with signals and labels at their nodes. */
 #include "draw.h"
 #include "elementary.h"
-#include "gen.h"
 #include "graph.h"
 #include "need.h"
 #include "set.h"

@@ -4,7 +4,6 @@
 #include "gen.h"
 #include "graph.h"
 #include "need.h"
-#include "normal.h"
 #include "ply.h"
 #include "set.h"
 #include "tensor.h"
@@ -298,7 +297,8 @@ const gen_family gen_patch = {
             [SHAKE] = {"--shake", GEN_REAL, "0.3", 0, 1, NULL,
                        "largest shift of a control point, in mean distances"},
             [HEIGHT] = {"--height", GEN_REAL, "1", 0, 100, NULL, "of the control points"},
-            [SCALE] = {"--scale", GEN_WORD, "unit", 0, 0, "none unit", "largest extent"},
+            [SCALE] = {"--scale", GEN_WORD, "unit", 0, 0, "none unit",
+                       "to the largest extent 1, or not at all"},
             [NEIGHBOURS] = {"--neighbours", GEN_WHOLE, "8", 0, 100, NULL,
                             "nearest ones that a point is joined with; 0: no edges"},
             [NOISE] = {"--noise", GEN_REAL, "0", 0, 1000, NULL,

@@ -27,6 +27,8 @@ static int check(const gen_call *c)
 {
     if (gen_whole(c, SAMPLING) == VOID && c->high[VOIDS_OF] == 0)
         return gen_say(GEN_BAD_CALL, "--sampling voids and --voids 0: there is none");
+    if (gen_whole(c, SAMPLING) != VOID && !gen_is_standard(c, VOIDS_OF))
+        return gen_say(GEN_BAD_CALL, "--voids: only --sampling voids has some");
     return GEN_GOOD;
 }
 

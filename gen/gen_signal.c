@@ -2,7 +2,6 @@
 #include "draw.h"
 #include "gen.h"
 #include "set.h"
-#include <stdlib.h>
 #include <string.h>
 
 /* In the order of the parameters and of the arrays. */

@@ -1,7 +1,6 @@
 #include "hierset.h"
 #include "draw.h"
 #include "gen.h"
-#include "need.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -81,7 +81,7 @@ static int wait_for(pid_t worker)
 /* Each worker has its shards; the first that could not be started ends the row. */
 static int share_shards(const gen_call *c, const gen_plan *p)
 {
-    pid_t worker[1024], parent = getpid();
+    pid_t worker[GEN_JOBS], parent = getpid();
     int workers = 0, status = GEN_GOOD;
 
     while (workers < c->jobs && status == GEN_GOOD) {

@@ -25,8 +25,9 @@
 
    Every file appears whole (lib/out). A shard is complete when its .done file is there, which is
    written last; then it is left alone, else it is made again. A process that makes a shard holds
-   a lock on DIR/shards/K-of-S.begun, which goes away with the process, however it ends. Both
-   files begin with the call, so a folder never mixes two sets.
+   a lock on DIR/shards/K-of-S.begun, which goes away with the process, however it ends; one that
+   writes the three files beside them, on S-of-S.begun. All these begin with the call, so a
+   folder never mixes two sets.
 
    One concept a file:
      call.c    the command line of a family, and its text that names the set
@@ -49,6 +50,7 @@ enum {
     GEN_ARRAYS = 8,      /* of a family, at most */
     GEN_PARAMETERS = 12, /* the same */
     GEN_FORMATS = 6,     /* the same, with csv and npy */
+    GEN_JOBS = 1024,     /* of a call, at most */
     GEN_NAME = 32,       /* characters of a name, with the 0 */
     GEN_TEXT = 1024,     /* of the text of a call, of the columns of an array */
     GEN_PATH = 4096
@@ -106,6 +108,9 @@ int gen_call_read_text(gen_call *c, const char *text, const char *path);
 
 /* The help of a family. */
 void gen_call_help(const gen_family *family);
+
+/* Has parameter p the value that it has when it is left out? */
+int gen_is_standard(const gen_call *c, int p);
 
 /* Parameter p as an integer. */
 int gen_whole(const gen_call *c, int p);
@@ -259,11 +264,14 @@ int gen_shard_make(const gen_call *c, const gen_plan *p, int shard, gen_progress
    message. */
 int gen_folder_begin(const gen_call *c, const gen_plan *p);
 
-/* Locks a shard for this process and writes the call into its stamp. Returns what
-   gen_folder_unlock needs, or -1 after a message. Unlocking a shard that is done removes the
-   stamp. */
+/* Locks a shard for this process and writes the call into its stamp; shard c->shards stands for the
+   files beside the set. Returns what gen_folder_unlock needs, or -1 after a message. Unlocking a
+   shard that is done removes the stamp. */
 int gen_folder_lock(const gen_call *c, int shard);
 void gen_folder_unlock(const gen_call *c, int shard, int lock, int done);
+
+/* Is there a stamp of a shard that somebody has begun, and perhaps not lived to finish? */
+int gen_folder_begun(const gen_call *c, int shard);
 
 /* Is the shard complete: its .done file there, of this call, and all files it names, with as
    many bytes as it says? */

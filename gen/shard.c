@@ -1,10 +1,8 @@
 /* shard.c -- one shard of a set: its files, then their sums. */
 #include "gen.h"
-#include "need.h"
 #include "out.h"
 #include "set.h"
 #include "sha256.h"
-#include <stdlib.h>
 #include <string.h>
 
 /* What is needed to make the samples of a shard. */
@@ -158,12 +156,13 @@ int gen_shard_make(const gen_call *c, const gen_plan *p, int shard, gen_progress
 {
     int lock, failed = 0;
 
-    if (gen_folder_complete(c, shard))
+    if (gen_folder_complete(c, shard) && !gen_folder_begun(c, shard))
         return GEN_GOOD;
     lock = gen_folder_lock(c, shard);
     if (lock < 0)
         return GEN_BAD_INPUT;
-    if (!gen_folder_complete(c, shard)) /* somebody may have been faster */
+    if (!gen_folder_complete(
+            c, shard)) /* somebody may have been faster, or killed behind it */
         failed = make_files(c, p, shard, g) || write_sums(c, p, shard);
     gen_folder_unlock(c, shard, lock, !failed);
     return failed ? GEN_BAD_INPUT : GEN_GOOD;

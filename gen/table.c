@@ -3,9 +3,7 @@
 #include "npy.h"
 #include "out.h"
 #include "set.h"
-#include <math.h>
 #include <stdlib.h>
-#include <stdio.h>
 #include <string.h>
 
 enum { PART = 1 << 13 /* numbers that are turned into bytes at once */, SIZE = 8 };

@@ -1,6 +1,7 @@
 #include "activation.h"
 #include "elementary.h"
 #include "need.h"
+#include "wide.h"
 #include <limits.h>
 #include <math.h>
 
@@ -171,6 +172,12 @@ static inline void chain(kw_activation_kind kind, int n, const double *restrict 
         dx[i] = dy[i] * derivative(kind, x[i], y[i]);
 }
 
+KW_WIDE static void chain_tanh(int n, const double *restrict x, const double *restrict y,
+                               const double *restrict dy, double *restrict dx)
+{
+    chain(KW_TANH, n, x, y, dy, dx);
+}
+
 void kw_activation_backward(const kw_activation *l, const double *w, int count,
                             const double *x, const double *y, const double *dy,
                             double *dx, double *dw)
@@ -182,7 +189,7 @@ void kw_activation_backward(const kw_activation *l, const double *w, int count,
     if (!dx)
         return;
     if (l->kind == KW_TANH)
-        chain(KW_TANH, n, x, y, dy, dx);
+        chain_tanh(n, x, y, dy, dx);
     else if (l->kind == KW_RELU)
         chain(KW_RELU, n, x, y, dy, dx);
     else

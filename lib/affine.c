@@ -1,6 +1,7 @@
 #include "affine.h"
 #include "matrix.h"
 #include "need.h"
+#include "wide.h"
 #include <limits.h>
 #include <stddef.h>
 #include <string.h>
@@ -40,6 +41,15 @@ void kw_affine_forward(const kw_affine *l, const double *w, int count, const dou
     kw_matrix_add_abt(count, l->out, l->in, x, w, y);
 }
 
+/* db += the sum of the rows of dy, in their order */
+KW_WIDE static void add_rows(int count, int out, const double *restrict dy,
+                             double *restrict db)
+{
+    for (size_t s = 0; s < (size_t)count; s++)
+        for (int i = 0; i < out; i++)
+            db[i] += dy[s * (size_t)out + (size_t)i];
+}
+
 void kw_affine_backward(const kw_affine *l, const double *w, int count, const double *x,
                         const double *y, const double *dy, double *dx, double *dw)
 {
@@ -52,7 +62,5 @@ void kw_affine_backward(const kw_affine *l, const double *w, int count, const do
         kw_matrix_add_ab(count, l->in, l->out, dy, w, dx);
     }
     kw_matrix_add_atb(l->out, l->in, count, dy, x, dw);
-    for (size_t s = 0; s < (size_t)count; s++)
-        for (int i = 0; i < l->out; i++)
-            db[i] += dy[s * (size_t)l->out + (size_t)i];
+    add_rows(count, l->out, dy, db);
 }

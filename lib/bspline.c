@@ -1,14 +1,17 @@
 #include "bspline.h"
 #include "need.h"
+#include "recursion.h"
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+enum { K = KW_BSPLINE_DEGREE + 1 };
+
 /* --- the table of spans ---
 
    The domain is cut into as many equal buckets as there are spans of simple knots. A point of
-   bucket b lies in a span from before[b] to before[b+1]: before[b] is the last span that begins
+   bucket b lies in one of the `candidates` spans from before[b] on, the last span that begins
    in an earlier bucket. The bucket of a point is computed in one way alone, which never
    decreases with x whatever the rounding, and so the table is right to the last bit. */
 
@@ -21,21 +24,27 @@ static int bucket_of(const kw_bspline *s, double x)
 
 static void make_table(kw_bspline *s)
 {
-    int next = s->d, span = next; /* the next span to begin; the last that has begun */
+    int *before;
 
     s->buckets = s->n - s->d;
     s->scale = s->buckets / (s->t[s->n] - s->t[s->d]);
     if (!isfinite(s->scale))
         s->scale = 0; /* a domain of next to no length: one bucket is in use */
-    s->before = kw_need_memory((size_t)s->buckets + 1, sizeof *s->before);
-    for (int b = 0; b <= s->buckets; b++) {
-        while (next < s->n && bucket_of(s, s->t[next]) < b) {
-            span = next++;
-            while (next < s->n && s->t[next] == s->t[next + 1])
-                next++;
-        }
-        s->before[b] = span;
+    s->before = before = kw_need_memory((size_t)s->buckets + 1, sizeof *before);
+    for (int i = s->d; i < s->n; i++)
+        if (s->t[i] < s->t[i + 1])
+            before[bucket_of(s, s->t[i]) + 1] = i;
+    before[0] = s->d;
+    s->candidates = 1;
+    for (int b = 0; b < s->buckets; b++) {
+        if (before[b + 1] == 0) /* no span begins in bucket b */
+            before[b + 1] = before[b];
+        if (s->candidates <= before[b + 1] - before[b])
+            s->candidates = before[b + 1] - before[b] + 1;
     }
+    /* every bucket has as many, inside the domain */
+    for (int b = s->buckets; before[b] > s->n - s->candidates; b--)
+        before[b] = s->n - s->candidates;
 }
 
 /* --- spaces --- */
@@ -193,24 +202,25 @@ static void need_function(const kw_bspline *s, int j)
     KW_NEED(0 <= j && j < s->n, "function %d, not in 0 .. %d", j, s->n - 1);
 }
 
-int kw_bspline_span(const kw_bspline *s, double x)
+static inline int span_of(const kw_bspline *s, double x)
 {
-    int low, high, b; /* t[low] <= x < t[high], or x is the right end */
+    int low; /* t[low] <= x, and the span is one of `count` from low on */
 
     KW_NEED(s->t[s->d] <= x && x <= s->t[s->n],
             "x = %.17g outside the domain [%.17g, %.17g]", x, s->t[s->d], s->t[s->n]);
-    b = bucket_of(s, x);
-    low = s->before[b];
-    high = s->before[b + 1] + 1;
-    while (high - low > 1) {
-        int middle = low + (high - low) / 2;
+    low = s->before[bucket_of(s, x)];
+    for (int count = s->candidates; count > 1; count -= count / 2) {
+        /* a choice, not a branch: no processor can guess which half it is */
+        const int half[] = {low, low + count / 2};
 
-        if (x < s->t[middle])
-            high = middle;
-        else
-            low = middle;
+        low = half[s->t[half[1]] <= x];
     }
     return low;
+}
+
+int kw_bspline_span(const kw_bspline *s, double x)
+{
+    return span_of(s, x);
 }
 
 int kw_bspline_first_span(const kw_bspline *s, int j)
@@ -250,80 +260,51 @@ double kw_bspline_greville(const kw_bspline *s, int j)
 
 /* --- the local functions --- */
 
-/* One step of the recursion of Definition 3 on span i: from the p local functions of
-   degree p-1, value[0..p-1], to the p+1 of degree p, value[0..p]. No denominator is zero,
-   because every one of these supports contains the span. */
-static void raise_degree(const double *t, int i, int p, double x, double *value)
-{
-    double from_left = 0;
-
-    for (int r = 0; r < p; r++) {
-        double left = t[i + 1 + r - p], right = t[i + 1 + r], width = right - left;
-        double old = value[r];
-
-        /* quotients first: at either end they are exactly 0 and 1 */
-        value[r] = from_left + (right - x) / width * old;
-        from_left = (x - left) / width * old;
-    }
-    value[p] = from_left;
-}
-
-/* The derivative in the same triangle: from the q-th derivatives of the p functions of
-   degree p-1 to the (q+1)-th of the p+1 functions of degree p,
-   beta_{j,p}' = p (beta_{j,p-1} / (t_{j+p}-t_j) - beta_{j+1,p-1} / (t_{j+p+1}-t_{j+1})),
-   in units of x of length h. */
-static void raise_derivative(const double *t, int i, int p, double h, double *value)
-{
-    double from_left = 0;
-
-    for (int r = 0; r < p; r++) {
-        double left = t[i + 1 + r - p], right = t[i + 1 + r];
-        double share = p * (value[r] * h / (right - left));
-
-        value[r] = from_left - share;
-        from_left = share;
-    }
-    value[p] = from_left;
-}
-
 static void need_span(const kw_bspline *s, int i)
 {
     KW_NEED(s->d <= i && i < s->n && s->t[i] < s->t[i + 1], "%d is no span", i);
 }
 
+static void need_order(int r)
+{
+    KW_NEED(r >= 0, "derivative %d", r);
+}
+
+/* how many rows of derivatives 0 .. r are not zero */
+static int rows_of(const kw_bspline *s, int r)
+{
+    return r < s->d ? r + 1 : s->d + 1;
+}
+
+/* Fills the rows beyond the degree of (r+1) x (d+1) derivatives. */
+static void zero_rows(const kw_bspline *s, int r, double *value)
+{
+    int k = s->d + 1;
+
+    for (int j = rows_of(s, r) * k; j < (r + 1) * k; j++)
+        value[j] = 0;
+}
+
 int kw_bspline_basis(const kw_bspline *s, double x, double *value)
 {
-    int i = kw_bspline_span(s, x);
+    int i = span_of(s, x);
 
-    value[0] = 1;
-    for (int p = 1; p <= s->d; p++)
-        raise_degree(s->t, i, p, x, value);
+    kw_recursion_one(s->d, s->t + i + 1, x, 1, 0, value);
     return i - s->d;
 }
 
 void kw_bspline_derivatives_on(const kw_bspline *s, int i, double x, int r, double *value)
 {
-    int d = s->d;
-
     need_span(s, i);
     KW_NEED(isfinite(x), "x = %g", x);
-    KW_NEED(r >= 0, "derivative %d", r);
-    for (int q = 0; q <= r; q++, value += d + 1) {
-        if (q > d) {
-            memset(value, 0, ((size_t)d + 1) * sizeof *value);
-            continue;
-        }
-        value[0] = 1;
-        for (int p = 1; p <= d - q; p++)
-            raise_degree(s->t, i, p, x, value);
-        for (int p = d - q + 1; p <= d; p++)
-            raise_derivative(s->t, i, p, 1, value);
-    }
+    need_order(r);
+    kw_recursion_one(s->d, s->t + i + 1, x, 1, rows_of(s, r) - 1, value);
+    zero_rows(s, r, value);
 }
 
 int kw_bspline_derivatives(const kw_bspline *s, double x, int r, double *value)
 {
-    int i = kw_bspline_span(s, x);
+    int i = span_of(s, x);
 
     kw_bspline_derivatives_on(s, i, x, r, value);
     return i - s->d;
@@ -331,19 +312,15 @@ int kw_bspline_derivatives(const kw_bspline *s, double x, int r, double *value)
 
 void kw_bspline_pieces(const kw_bspline *s, int i, double *piece)
 {
+    double value[K * K], factorial = 1;
+    const double *t = s->t + i;
     int d = s->d;
-    double value[KW_BSPLINE_DEGREE + 1], factorial = 1, h;
 
     need_span(s, i);
-    h = s->t[i + 1] - s->t[i];
+    kw_recursion_one(d, t + 1, t[0], t[1] - t[0], d, value); /* with respect to u */
     for (int q = 0; q <= d; q++) {
-        value[0] = 1;
-        for (int p = 1; p <= d - q; p++)
-            raise_degree(s->t, i, p, s->t[i], value);
-        for (int p = d - q + 1; p <= d; p++)
-            raise_derivative(s->t, i, p, h, value); /* with respect to u */
         for (int j = 0; j <= d; j++)
-            piece[j * (d + 1) + q] = value[j] / factorial;
+            piece[j * (d + 1) + q] = value[q * (d + 1) + j] / factorial;
         factorial *= q + 1;
     }
 }
@@ -351,11 +328,9 @@ void kw_bspline_pieces(const kw_bspline *s, int i, double *piece)
 void kw_bspline_blossom(const kw_bspline *s, int i, const double *u, double *value)
 {
     need_span(s, i);
-    value[0] = 1;
-    for (int p = 1; p <= s->d; p++) {
-        KW_NEED(isfinite(u[p - 1]), "u[%d] = %g", p - 1, u[p - 1]);
-        raise_degree(s->t, i, p, u[p - 1], value);
-    }
+    for (int p = 0; p < s->d; p++)
+        KW_NEED(isfinite(u[p]), "u[%d] = %g", p, u[p]);
+    kw_recursion_blossom(s->d, s->t + i + 1, u, value);
 }
 
 void kw_bspline_blossom_knots(const kw_bspline *s, int i, const double *u, double *value)
@@ -395,7 +370,7 @@ static int span_of_support(const kw_bspline *s, int j, double x)
 double kw_bspline_one(const kw_bspline *s, int j, int r, double x)
 {
     const double *t;
-    double value[KW_BSPLINE_DEGREE + 1] = {0}; /* of the functions j, j+1, .. */
+    double value[K] = {0}; /* of the functions j, j+1, .. */
     int d = s->d, span;
 
     need_function(s, j);
@@ -426,22 +401,43 @@ static void need_count(int count)
     KW_NEED(count >= 0, "%d points", count);
 }
 
-void kw_bspline_basis_many(const kw_bspline *s, int count, const double *x, int *first,
-                           double *value)
+void kw_bspline_span_many(const kw_bspline *s, int count, const double *x, int *span)
 {
     need_count(count);
     for (int i = 0; i < count; i++)
-        first[i] = kw_bspline_basis(s, x[i], value + (size_t)i * (size_t)(s->d + 1));
+        span[i] = span_of(s, x[i]);
+}
+
+void kw_bspline_basis_many(const kw_bspline *s, int count, const double *x, int *first,
+                           double *value)
+{
+    kw_bspline_derivatives_many(s, count, x, 0, first, value);
 }
 
 void kw_bspline_derivatives_many(const kw_bspline *s, int count, const double *x, int r,
                                  int *first, double *value)
 {
+    enum { BATCH = 64 }; /* spans are found ahead of the values, which wait for them */
     size_t size = (size_t)(r + 1) * (size_t)(s->d + 1);
+    int rows = rows_of(s, r);
 
     need_count(count);
-    for (int i = 0; i < count; i++)
-        first[i] = kw_bspline_derivatives(s, x[i], r, value + (size_t)i * size);
+    need_order(r);
+    for (int done = 0, end; done < count; done = end) {
+        end = count - done < BATCH ? count : done + BATCH;
+        kw_bspline_span_many(s, end - done, x + done, first + done);
+        for (int i = done; i < end; i += 2) {
+            int j = i + 1 < end ? i + 1 : i;
+
+            kw_recursion_two(s->d, s->t + first[i] + 1, x[i], value + (size_t)i * size,
+                             s->t + first[j] + 1, x[j], value + (size_t)j * size,
+                             rows - 1);
+        }
+        for (int i = done; i < end && r > s->d; i++)
+            zero_rows(s, r, value + (size_t)i * size);
+        for (int i = done; i < end; i++)
+            first[i] -= s->d;
+    }
 }
 
 void kw_bspline_one_many(const kw_bspline *s, int j, int r, int count, const double *x,

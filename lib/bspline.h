@@ -30,9 +30,10 @@ typedef struct kw_bspline {
     int n;     /* dimension */
     double *t; /* knots, n+d+1; owned */
     /* a table of where to look for the span of a point, see kw_bspline_span */
-    int buckets;  /* n - d */
-    double scale; /* buckets / length of the domain */
-    int *before;  /* buckets + 1; owned */
+    int buckets;    /* n - d */
+    double scale;   /* buckets / length of the domain */
+    int *before;    /* buckets + 1; owned */
+    int candidates; /* spans to choose from in each bucket */
 } kw_bspline;
 
 /* --- spaces; the caller frees them; never NULL --- */
@@ -68,7 +69,8 @@ void kw_bspline_free(kw_bspline *s);
 /* --- knots --- */
 
 /* The span of x: t[i] <= x < t[i+1], at the right end of the domain the last span. It is looked
-   for by bisection among the few that meet the same of `buckets` equal parts of the domain. */
+   for by bisection among the few that meet the same of `buckets` equal parts of the domain, as
+   many for every point. */
 int kw_bspline_span(const kw_bspline *s, double x);
 
 /* The first span on which function j is non-zero. */
@@ -121,7 +123,10 @@ void kw_bspline_blossom_knots(const kw_bspline *s, int i, const double *u, doubl
 double kw_bspline_one(const kw_bspline *s, int j, int r, double x);
 
 /* --- many points: x[0..count-1], count >= 0, results one after the other, nothing
-   allocated --- */
+   allocated; the same bits as one by one, in less time --- */
+
+/* span: count. */
+void kw_bspline_span_many(const kw_bspline *s, int count, const double *x, int *span);
 
 /* first: count; value: count x (d+1). */
 void kw_bspline_basis_many(const kw_bspline *s, int count, const double *x, int *first,

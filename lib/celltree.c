@@ -1,6 +1,7 @@
 #include "celltree.h"
 #include "need.h"
 #include <stdlib.h>
+#include <string.h>
 
 enum { D_MOST = KW_TENSOR_D };
 
@@ -77,11 +78,14 @@ void kw_celltree_free(kw_celltree *t)
 
 int kw_celltree_root(const kw_celltree *t, const double *x, int *cell)
 {
-    const kw_mesh *m = t->mesh;
+    const kw_mesh_level *l = &t->mesh->level[0];
+    int flat = 0;
 
-    for (int h = 0; h < m->D; h++)
-        cell[h] = m->level[0].edge[h][kw_bspline_span(m->level[0].s[h], x[h])];
-    return (int)kw_mesh_flat(m, 0, cell);
+    for (int h = 0; h < t->mesh->D; h++) {
+        cell[h] = l->edge[h][kw_bspline_span(l->s[h], x[h])];
+        flat = flat * l->cells[h] + cell[h];
+    }
+    return flat;
 }
 
 int kw_celltree_below(const kw_celltree *t, int node, const double *x, int *cell)
@@ -98,11 +102,76 @@ int kw_celltree_below(const kw_celltree *t, int node, const double *x, int *cell
     return child;
 }
 
+/* Points that go down together: while one waits for its next node the others go on. */
+enum { TOGETHER = 64 };
+
+/* The nodes of the cells of level 0 of up to TOGETHER points, one direction after the other. */
+static inline void find_roots(const kw_celltree *t, int D, int count, const double *x,
+                              int *node)
+{
+    const kw_mesh_level *l = &t->mesh->level[0];
+
+    memset(node, 0, (size_t)count * sizeof *node);
+    for (int h = 0; h < D; h++) {
+        double coordinate[TOGETHER];
+        int span[TOGETHER];
+
+        for (int p = 0; p < count; p++)
+            coordinate[p] = x[p * D + h];
+        kw_bspline_span_many(l->s[h], count, coordinate, span);
+        for (int p = 0; p < count; p++)
+            node[p] = node[p] * l->cells[h] + l->edge[h][span[p]];
+    }
+}
+
+/* The leaves of up to TOGETHER points. In every round each point that is not in its leaf yet
+   takes a step; a branch that depends on the point would be guessed wrong half of the time. */
+static inline void search(const kw_celltree *t, int D, int count, const double *x,
+                          int *restrict leaf)
+{
+    int at[TOGETHER], left[TOGETHER]; /* nodes; the points that still go down */
+
+    find_roots(t, D, count, x, at);
+    for (int p = 0; p < count; p++)
+        left[p] = p;
+    while (count > 0) {
+        int still = 0;
+
+        for (int i = 0; i < count; i++) {
+            int p = left[i];
+            const kw_celltree_node *from = &t->node[at[p]];
+            int child = from->child, refined = child >= 0;
+
+            leaf[p] = -1 - child;
+            for (int h = 0; h < D; h++)
+                child += (x[p * D + h] >= from->middle[h]) << h;
+            at[p] = child;
+            left[still] = p;
+            still += refined;
+        }
+        count = still;
+    }
+}
+
+void kw_celltree_leaf_many(const kw_celltree *t, int count, const double *x, int *leaf)
+{
+    const int D = t->mesh->D;
+
+    KW_NEED(count >= 0, "%d points", count);
+    for (int i = 0; i < count; i += TOGETHER) {
+        int now = count - i < TOGETHER ? count - i : TOGETHER;
+
+        if (D == 2)
+            search(t, 2, now, x + (size_t)i * 2, leaf + i);
+        else
+            search(t, D, now, x + (size_t)i * (size_t)D, leaf + i);
+    }
+}
+
 int kw_celltree_leaf(const kw_celltree *t, const double *x)
 {
-    int cell[D_MOST], node = kw_celltree_root(t, x, cell);
+    int leaf;
 
-    while (t->node[node].child >= 0)
-        node = kw_celltree_below(t, node, x, cell);
-    return -1 - t->node[node].child;
+    kw_celltree_leaf_many(t, 1, x, &leaf);
+    return leaf;
 }

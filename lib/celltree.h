@@ -35,4 +35,7 @@ int kw_celltree_below(const kw_celltree *t, int node, const double *x, int *cell
 /* The leaf of the active cell that holds x: at an inner edge that of the cell behind it. */
 int kw_celltree_leaf(const kw_celltree *t, const double *x);
 
+/* The same of many points: x is count x D, leaf is count. */
+void kw_celltree_leaf_many(const kw_celltree *t, int count, const double *x, int *leaf);
+
 #endif

@@ -1,16 +1,11 @@
 #include "curve.h"
+#include "combine.h"
 #include "need.h"
 #include <math.h>
 
-/* point = sum of weight[0..d] times the d+1 control points from c on */
-static void combine(int d, int N, const double *c, const double *weight, double *point)
+static void need_dimension(int N)
 {
     KW_NEED(N >= 1, "N = %d", N);
-    for (int a = 0; a < N; a++) {
-        point[a] = 0;
-        for (int j = 0; j <= d; j++)
-            point[a] += weight[j] * c[j * N + a];
-    }
 }
 
 /* the control points of function `first` and after */
@@ -21,10 +16,7 @@ static const double *from(const double *c, int first, int N)
 
 void kw_curve_point(const kw_bspline *s, int N, const double *c, double x, double *point)
 {
-    double value[KW_BSPLINE_DEGREE + 1];
-    int first = kw_bspline_basis(s, x, value);
-
-    combine(s->d, N, from(c, first, N), value, point);
+    kw_curve_derivatives_many(s, N, c, 1, &x, 0, point);
 }
 
 void kw_curve_blossom(const kw_bspline *s, int i, int N, const double *c, const double *u,
@@ -35,7 +27,7 @@ void kw_curve_blossom(const kw_bspline *s, int i, int N, const double *c, const 
     int d = s->d, first = i - d;
 
     KW_NEED(d <= i && i < s->n && t[i] < t[i + 1], "%d is no span", i);
-    KW_NEED(N >= 1, "N = %d", N);
+    need_dimension(N);
     for (int p = 0; p < d; p++)
         KW_NEED(isfinite(u[p]), "u[%d] = %g", p, u[p]);
     for (int a = 0; a < N; a++) {
@@ -65,23 +57,14 @@ void kw_curve_deboor(const kw_bspline *s, int N, const double *c, double x, doub
 void kw_curve_derivatives(const kw_bspline *s, int N, const double *c, double x, int r,
                           double *value)
 {
-    enum { K = KW_BSPLINE_DEGREE + 1 };
-    double basis[K * K];
-    int d = s->d, first = kw_bspline_derivatives(s, x, r <= d ? r : d, basis);
-
-    for (int q = 0; q <= r; q++)
-        if (q <= d)
-            combine(d, N, from(c, first, N), basis + q * (d + 1), value + q * N);
-        else
-            for (int a = 0; a < N; a++)
-                value[q * N + a] = 0;
+    kw_curve_derivatives_many(s, N, c, 1, &x, r, value);
 }
 
 void kw_curve_close(const kw_bspline *s, int N, double *c)
 {
     int period = (s->n - s->d) * N;
 
-    KW_NEED(N >= 1, "N = %d", N);
+    need_dimension(N);
     for (int i = period; i < s->n * N; i++)
         c[i] = c[i - period];
 }
@@ -94,9 +77,7 @@ static void need_count(int count)
 void kw_curve_point_many(const kw_bspline *s, int N, const double *c, int count,
                          const double *x, double *point)
 {
-    need_count(count);
-    for (int i = 0; i < count; i++)
-        kw_curve_point(s, N, c, x[i], point + (size_t)i * (size_t)N);
+    kw_curve_derivatives_many(s, N, c, count, x, 0, point);
 }
 
 void kw_curve_deboor_many(const kw_bspline *s, int N, const double *c, int count,
@@ -110,9 +91,25 @@ void kw_curve_deboor_many(const kw_bspline *s, int N, const double *c, int count
 void kw_curve_derivatives_many(const kw_bspline *s, int N, const double *c, int count,
                                const double *x, int r, double *value)
 {
-    size_t size = (size_t)(r + 1) * (size_t)N;
+    enum { ROOM = (KW_BSPLINE_DEGREE + 1) * (KW_BSPLINE_DEGREE + 1) };
+    double basis[ROOM];
+    int first[ROOM], k = s->d + 1, rows, batch;
 
     need_count(count);
-    for (int i = 0; i < count; i++)
-        kw_curve_derivatives(s, N, c, x[i], r, value + (size_t)i * size);
+    need_dimension(N);
+    KW_NEED(r >= 0, "derivative %d", r);
+    rows = r < k ? r + 1 : k; /* the others are zero */
+    batch = ROOM / (k * rows);
+    for (int done = 0; done < count; done += batch) {
+        int points = count - done < batch ? count - done : batch;
+        const double *row = basis;
+
+        kw_bspline_derivatives_many(s, points, x + done, rows - 1, first, basis);
+        for (int i = 0; i < points; i++) {
+            for (int q = 0; q < rows; q++, row += k, value += N)
+                kw_combine(k, N, row, from(c, first[i], N), value);
+            for (int zeros = (r + 1 - rows) * N; zeros > 0; zeros--)
+                *value++ = 0;
+        }
+    }
 }

@@ -142,7 +142,9 @@ double kw_expm1(double x)
 /* From 20 on the tangent is 1. */
 static inline double tanh_range(double x)
 {
-    return fabs(x) > 20 ? 20 : fabs(x);
+    const double size = fabs(x);
+
+    return choose(less(20, size), 20, size);
 }
 
 /* 0 <= x <= 20. With e^2x = 2^n (C + h) / (C - h) there is one denominator for
@@ -167,9 +169,7 @@ double kw_tanh(double x)
 KW_WIDE static void tanh_all(int n, const double *restrict x, double *restrict y)
 {
     for (int i = 0; i < n; i++)
-        y[i] = tanh_range(x[i]);
-    for (int i = 0; i < n; i++)
-        y[i] = copysign(tanh_inside(y[i]), x[i]);
+        y[i] = copysign(tanh_inside(tanh_range(x[i])), x[i]);
 }
 
 void kw_tanh_many(int n, const double *x, double *y)

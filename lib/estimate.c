@@ -1,7 +1,7 @@
 #include "estimate.h"
 #include "celltree.h"
 #include "hier.h"
-#include "twoscale.h"
+#include "truncation.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -112,7 +112,8 @@ double kw_estimate_active(const kw_mesh *m)
 
 /* What kw_hier_new puts into its arrays. */
 typedef struct contents {
-    double own;     /* active functions that are local to a cell of their level */
+    double own;     /* local functions that are kept: the active ones of all cells, and on
+                       leaves that carry coarser ones the others, too */
     double carried; /* coarser functions on a leaf, and */
     double numbers; /* their coefficients */
     double most;    /* functions on a cell */
@@ -133,6 +134,7 @@ static void count_contents(const kw_active *a, int level, const int *cell, doubl
     c->most = fmax(c->most, coarser + own);
     coarser = outside > 0 ? coarser : 0; /* else Definition 5 cuts them all off */
     if (!kw_mesh_refined(a->mesh, level, cell)) {
+        c->own += coarser > 0 ? outside : 0;
         c->carried += coarser;
         c->numbers += coarser * outside;
         return;
@@ -169,6 +171,6 @@ double kw_estimate_hier(const kw_active *a)
     return kw_estimate_active(m) + tables + leaves * (double)sizeof(kw_hier_leaf) +
            cells * (by_halves * (double)sizeof(kw_celltree_node) + sizeof(kw_hier_own)) +
            by_halves *
-               (c.own * (double)(sizeof(int) + sizeof(unsigned short)) +
+               (c.own * (double)sizeof(kw_hier_function) +
                 c.carried * (double)sizeof(int) + c.numbers * (double)sizeof(double));
 }

@@ -35,8 +35,13 @@ typedef struct kw_hier_leaf {
     size_t index, row;
 } kw_hier_leaf;
 
-/* The active functions among the local ones of a cell: b->own_index and b->own_place [first ..
-   first+count-1], the latter being their numbers as local functions, ascending. */
+/* A local function of a cell: its number there and, if it is active, its index, else -1. */
+typedef struct kw_hier_function {
+    int place, index;
+} kw_hier_function;
+
+/* The active functions among the local ones of a cell: b->function[first .. first+count-1],
+   ascending. In a leaf that carries others, those that are not active follow, ascending. */
 typedef struct kw_hier_own {
     int count;
     size_t first;
@@ -51,10 +56,9 @@ typedef struct kw_hier {
     int *index;         /* of all leaves together */
     double *row;        /* the same */
     size_t indices, index_room, numbers, row_room;
-    kw_hier_own *own; /* tree->nodes */
-    int *own_index;
-    unsigned short *own_place;
-    size_t owns, own_index_room, own_place_room;
+    kw_hier_own *own;           /* tree->nodes */
+    kw_hier_function *function; /* of all nodes together */
+    size_t functions, function_room;
 } kw_hier;
 
 /* Time and memory are linear in the number of cells and active functions; estimate.h says how
@@ -69,6 +73,11 @@ size_t kw_hier_bytes(const kw_hier *b);
    returns count, at most b->most. A value may be zero, on the edge of a support. */
 int kw_hier_at(const kw_hier *b, kw_hier_kind kind, const int *r, const double *x,
                int *index, double *value);
+
+/* The same at many points: x is count x D; found is count, index and value are count x
+   b->most, of which point p has the first found[p] of row p. Quicker than point by point. */
+void kw_hier_at_many(const kw_hier *b, kw_hier_kind kind, const int *r, int count,
+                     const double *x, int *found, int *index, double *value);
 
 /* Function i at x. */
 double kw_hier_one(const kw_hier *b, kw_hier_kind kind, int i, const int *r,

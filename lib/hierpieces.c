@@ -105,26 +105,58 @@ void kw_hierpieces_free(kw_hierpieces *p)
     free(p);
 }
 
-void kw_hierpieces_point(const kw_hierpieces *p, const int *r, const double *x,
-                         double *point)
+/* The sum of all local functions times their coefficients. A constant N keeps it in
+   registers. */
+static inline void sum_up(int local, int N, const double *restrict value,
+                          const double *restrict c, double *restrict point)
 {
-    int leaf = kw_celltree_leaf(p->b->tree, x), local = p->b->active->local;
-    const double *c = p->c + (size_t)leaf * (size_t)local * (size_t)p->N;
-    double value[KW_ACTIVE_LOCAL];
-
-    kw_hier_local(p->b, leaf, r, x, value);
-    for (int a = 0; a < p->N; a++)
+    for (int a = 0; a < N; a++)
         point[a] = 0;
-    for (int f = 0; f < local; f++, c += p->N)
-        for (int a = 0; a < p->N; a++) /* NOLINTNEXTLINE: kw_hier_local sets `local` */
+    for (int f = 0; f < local; f++, c += N)
+        for (int a = 0; a < N; a++)
             point[a] += value[f] * c[a];
 }
+
+static void piece(const kw_hierpieces *p, int leaf, const double *value, double *point)
+{
+    const int local = p->b->active->local;
+    const double *c = p->c + (size_t)leaf * (size_t)local * (size_t)p->N;
+
+    if (p->N == 1)
+        sum_up(local, 1, value, c, point);
+    else if (p->N == 2)
+        sum_up(local, 2, value, c, point);
+    else if (p->N == 3)
+        sum_up(local, 3, value, c, point);
+    else
+        sum_up(local, p->N, value, c, point);
+}
+
+/* Points that are looked at together: first the cells of all, then the local functions, then
+   the sums. */
+enum { TOGETHER = 64 };
 
 void kw_hierpieces_point_many(const kw_hierpieces *p, const int *r, int count,
                               const double *x, double *point)
 {
+    const int D = p->b->active->mesh->D, local = p->b->active->local;
+    const int room = KW_ACTIVE_LOCAL / local, most = room < TOGETHER ? room : TOGETHER;
+    int leaf[TOGETHER];
+    double value[KW_ACTIVE_LOCAL]; /* most x local */
+
     KW_NEED(count >= 0, "%d points", count);
-    for (int i = 0; i < count; i++)
-        kw_hierpieces_point(p, r, x + (size_t)i * (size_t)p->b->active->mesh->D,
-                            point + (size_t)i * (size_t)p->N);
+    for (int now; count > 0; count -= now) {
+        now = count < most ? count : most;
+        kw_celltree_leaf_many(p->b->tree, now, x, leaf);
+        for (int i = 0; i < now; i++, x += D)
+            kw_hier_local(p->b, leaf[i], r, x, value + i * local);
+        for (int i = 0; i < now; i++, point += p->N)
+            piece(p, leaf[i], value + i * local, point);
+    }
+}
+
+void kw_hierpieces_point(const kw_hierpieces *p, const int *r, const double *x,
+                         double *point)
+{
+    kw_hierpieces_point_many(p, r, 1, x, point);
 }

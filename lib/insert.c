@@ -1,4 +1,5 @@
 #include "insert.h"
+#include "combine.h"
 #include "need.h"
 #include <stdlib.h>
 #include <string.h>
@@ -88,6 +89,61 @@ void kw_insert_need_nested(const kw_bspline *coarse, const kw_bspline *fine)
     }
 }
 
+/* Boehm's rule for a knot x. t and f are the last knot before x and the coefficient with its
+   number, from there on to the left those of the space that has all knots before x; right[0] is
+   the first knot after x. f[1] becomes f[0], and that and the d-1 before it become averages. */
+static inline void insert_next(int d, int N, const double *t, const double *right,
+                               double x, double *restrict f)
+{
+    for (int a = 0; a < N; a++)
+        f[N + a] = f[a];
+    for (int j = 0; j > -d; j--) {
+        double w = (x - t[j]) / (right[j + d - 1] - t[j]);
+
+        for (int a = 0; a < N; a++)
+            f[j * N + a] = w * f[j * N + a] + (1 - w) * f[(j - 1) * N + a];
+    }
+}
+
+/* A walk through the fine knots: each that is a coarse one brings a coarse coefficient. */
+static inline void insert_all(int d, int N, const kw_bspline *coarse,
+                              const kw_bspline *fine, const double *restrict c,
+                              double *restrict out)
+{
+    const double *t = fine->t, *next = coarse->t;
+
+    for (int i = 0; i < fine->n; i++) {
+        if (t[i] != *next) {
+            insert_next(d, N, t + i - 1, next, t[i], out + (i - 1) * N);
+            continue;
+        }
+        for (int a = 0; a < N; a++)
+            out[i * N + a] = *c++;
+        next++;
+    }
+    KW_NEED(next == coarse->t + coarse->n,
+            "the coarse knot %.17g (t[%d]) is missing in the fine space", *next,
+            (int)(next - coarse->t));
+}
+
+void kw_insert_boehm_all(const kw_bspline *coarse, const kw_bspline *fine, int N,
+                         const double *c, double *out)
+{
+    int d = fine->d;
+
+    need_same_domain(coarse, fine);
+    KW_NEED(N >= 1, "N = %d", N);
+    for (int j = 0; j <= d; j++)
+        KW_NEED(coarse->t[j] == fine->t[j] &&
+                    coarse->t[coarse->n + j] == fine->t[fine->n + j],
+                "other auxiliary knots: %.17g and %.17g, %.17g and %.17g", coarse->t[j],
+                fine->t[j], coarse->t[coarse->n + j], fine->t[fine->n + j]);
+    if (d == 3 && N == 3) /* the usual sizes, where compilers see them */
+        insert_all(3, 3, coarse, fine, c, out);
+    else
+        insert_all(d, N, coarse, fine, c, out);
+}
+
 /* A fine coefficient is the blossom of a coarse piece at the d inner knots of the fine
    function; the row of the matrix are the weights of that blossom. */
 int kw_insert_oslo_row(const kw_bspline *coarse, const kw_bspline *fine, int i,
@@ -111,13 +167,7 @@ void kw_insert_oslo(const kw_bspline *coarse, const kw_bspline *fine, int N,
     for (int i = 0; i < fine->n; i++) {
         int first = kw_insert_oslo_row(coarse, fine, i, alpha);
 
-        for (int a = 0; a < N; a++) {
-            double sum = 0;
-
-            for (int j = 0; j <= coarse->d; j++)
-                sum += alpha[j] * c[(first + j) * N + a];
-            out[i * N + a] = sum;
-        }
+        kw_combine(coarse->d + 1, N, alpha, c + first * N, out + i * N);
     }
 }
 

@@ -28,6 +28,12 @@ kw_bspline *kw_insert_new_dyadic(const kw_bspline *s);
    kw_insert_new_knot(s, x), fine: (n+1) x N. Only d of them are new averages. */
 void kw_insert_boehm(const kw_bspline *s, double x, int N, const double *c, double *fine);
 
+/* All knots of `fine` by Boehm's rule, one after the other from left to right, in one walk: from c,
+   coarse->n x N, to out, fine->n x N; d quotients for a knot. The auxiliary knots of the two
+   spaces are the same. */
+void kw_insert_boehm_all(const kw_bspline *coarse, const kw_bspline *fine, int N,
+                         const double *c, double *out);
+
 /* Row i of the Oslo matrix: the fine coefficient i is the sum of
    alpha[0..d] times the coarse coefficients from `first` on; returns first. The alpha add up
    to one, and none is negative on open knots, and wherever the fine auxiliary knots contain
@@ -35,7 +41,7 @@ void kw_insert_boehm(const kw_bspline *s, double x, int N, const double *c, doub
 int kw_insert_oslo_row(const kw_bspline *coarse, const kw_bspline *fine, int i,
                        double *alpha);
 
-/* All coefficients by the Oslo rows: from c, coarse->n x N, to out, fine->n x N. */
+/* All coefficients by the Oslo rows, whatever the auxiliary knots: from c, coarse->n x N, to out, fine->n x N. */
 void kw_insert_oslo(const kw_bspline *coarse, const kw_bspline *fine, int N,
                     const double *c, double *out);
 

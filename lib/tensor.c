@@ -1,10 +1,11 @@
 #include "tensor.h"
+#include "combine.h"
 #include "insert.h"
 #include "need.h"
 #include <limits.h>
 #include <stdlib.h>
 
-enum { K = KW_BSPLINE_DEGREE + 1 };
+enum { K = KW_BSPLINE_DEGREE + 1, BATCH = 32 /* points or lines at a time */ };
 
 /* --- spaces --- */
 
@@ -104,19 +105,23 @@ void kw_tensor_multi(const kw_tensor *g, int flat, int *j)
 
 /* --- functions --- */
 
-/* The r-th derivatives of the local functions of s at x, value[0..d]; returns the first. */
-static int univariate(const kw_bspline *s, int r, double x, double *value)
+/* The r-th derivatives of the local functions of s at x[0..count-1]: value is count x (d+1). */
+static void univariate(const kw_bspline *s, int r, int count, const double *x, int *first,
+                       double *value)
 {
     double all[K * K];
-    int first, d = s->d;
+    int d = s->d;
 
     KW_NEED(r >= 0, "derivative %d", r);
-    if (r == 0)
-        return kw_bspline_basis(s, x, value);
-    first = kw_bspline_derivatives(s, x, r <= d ? r : d, all);
-    for (int i = 0; i <= d; i++)
-        value[i] = r <= d ? all[r * (d + 1) + i] : 0;
-    return first;
+    if (r == 0) {
+        kw_bspline_basis_many(s, count, x, first, value);
+        return;
+    }
+    for (int l = 0; l < count; l++, value += d + 1) {
+        first[l] = kw_bspline_derivatives(s, x[l], r <= d ? r : d, all);
+        for (int i = 0; i <= d; i++)
+            value[i] = r <= d ? all[r * (d + 1) + i] : 0;
+    }
 }
 
 void kw_tensor_basis(const kw_tensor *g, const int *r, const double *x, int *first,
@@ -129,7 +134,7 @@ void kw_tensor_basis(const kw_tensor *g, const int *r, const double *x, int *fir
     for (int h = 0; h < g->D; h++) {
         int k = g->s[h]->d + 1;
 
-        first[h] = univariate(g->s[h], r ? r[h] : 0, x[h], factor);
+        univariate(g->s[h], r ? r[h] : 0, 1, x + h, first + h, factor);
         /* from the back, so that each product is read before its place is written */
         for (int a = size - 1; a >= 0; a--)
             for (int b = k - 1; b >= 0; b--)
@@ -149,40 +154,82 @@ double kw_tensor_one(const kw_tensor *g, const int *j, const int *r, const doubl
 
 /* --- geometries --- */
 
+/* The local functions of a batch of points, direction by direction. Directions that do not
+   exist stand in front, as one function with the value 1. */
+typedef struct local {
+    int k[KW_TENSOR_D], n[KW_TENSOR_D], first[KW_TENSOR_D][BATCH];
+    double factor[KW_TENSOR_D][BATCH * K]; /* k values a point */
+} local;
+
+static void find_local(const kw_tensor *g, const int *r, int points, const double *x,
+                       local *l)
+{
+    int absent = KW_TENSOR_D - g->D;
+    double line[BATCH];
+
+    for (int h = 0; h < KW_TENSOR_D; h++) {
+        const kw_bspline *s = h < absent ? NULL : g->s[h - absent];
+
+        l->k[h] = s ? s->d + 1 : 1;
+        l->n[h] = s ? s->n : 1;
+        for (int i = 0; i < points && !s; i++) {
+            l->first[h][i] = 0;
+            l->factor[h][i] = 1;
+        }
+        for (int i = 0; i < points && s; i++)
+            line[i] = x[i * g->D + h - absent];
+        if (s)
+            univariate(s, r ? r[h - absent] : 0, points, line, l->first[h], l->factor[h]);
+    }
+}
+
+/* The geometry at these points, line by line of the k functions of the last direction. */
+static inline void sum_up(const local *l, int points, int k, int N,
+                          const double *restrict c, double *restrict point)
+{
+    size_t step = (size_t)l->n[2] * (size_t)N;
+
+    for (int i = 0; i < points; i++, point += N) {
+        const double *f0 = l->factor[0] + i * l->k[0], *f1 = l->factor[1] + i * l->k[1];
+
+        for (int a = 0; a < N; a++)
+            point[a] = 0;
+        for (int i0 = 0; i0 < l->k[0]; i0++) {
+            int plane = (l->first[0][i] + i0) * l->n[1] + l->first[1][i];
+            const double *line =
+                c + (size_t)(plane * l->n[2] + l->first[2][i]) * (size_t)N;
+
+            for (int i1 = 0; i1 < l->k[1]; i1++, line += step)
+                kw_combine_sized(1, f0[i0] * f1[i1], k, N, l->factor[2] + i * k, line,
+                                 point);
+        }
+    }
+}
+
 void kw_tensor_point(const kw_tensor *g, int N, const double *c, const int *r,
                      const double *x, double *point)
 {
-    /* directions that do not exist count as one function with the value 1 */
-    double factor[KW_TENSOR_D][K] = {{1}, {1}, {1}};
-    int first[KW_TENSOR_D] = {0}, k[KW_TENSOR_D] = {1, 1, 1}, n[KW_TENSOR_D] = {1, 1, 1};
-
-    KW_NEED(N >= 1, "N = %d", N);
-    for (int h = 0; h < g->D; h++) {
-        first[h] = univariate(g->s[h], r ? r[h] : 0, x[h], factor[h]);
-        k[h] = g->s[h]->d + 1;
-        n[h] = g->s[h]->n;
-    }
-    for (int a = 0; a < N; a++)
-        point[a] = 0;
-    for (int i0 = 0; i0 < k[0]; i0++)
-        for (int i1 = 0; i1 < k[1]; i1++)
-            for (int i2 = 0; i2 < k[2]; i2++) {
-                int flat =
-                    ((first[0] + i0) * n[1] + first[1] + i1) * n[2] + first[2] + i2;
-                double value = factor[0][i0] * factor[1][i1] * factor[2][i2];
-
-                for (int a = 0; a < N; a++)
-                    point[a] += value * c[(size_t)flat * (size_t)N + (size_t)a];
-            }
+    kw_tensor_point_many(g, N, c, r, 1, x, point);
 }
 
 void kw_tensor_point_many(const kw_tensor *g, int N, const double *c, const int *r,
                           int count, const double *x, double *point)
 {
+    local l;
+    int points, k = g->s[g->D - 1]->d + 1;
+
+    KW_NEED(N >= 1, "N = %d", N);
     KW_NEED(count >= 0, "%d points", count);
-    for (int i = 0; i < count; i++)
-        kw_tensor_point(g, N, c, r, x + (size_t)i * (size_t)g->D,
-                        point + (size_t)i * (size_t)N);
+    for (; count > 0; count -= points, x += points * g->D, point += points * N) {
+        points = count < BATCH ? count : BATCH;
+        find_local(g, r, points, x, &l);
+        if (k == 4 && N == 3)
+            sum_up(&l, points, 4, 3, c, point);
+        else if (k == 3 && N == 3)
+            sum_up(&l, points, 3, 3, c, point);
+        else
+            sum_up(&l, points, k, N, c, point);
+    }
 }
 
 /* --- one direction at a time: grids and refinement ---
@@ -194,23 +241,16 @@ typedef struct shape {
     size_t outer, inner; /* of direction h: what runs slower, what runs faster */
 } shape;
 
-/* new line i = sum of weight[q] * old line (first + q), q < k */
-static void combine_lines(shape around, size_t n, size_t m, size_t i, int first, int k,
-                          const double *weight, const double *restrict old,
-                          double *restrict new)
+/* A batch of lines: new line i+l = sum of weight[l*k + q] * old line (first[l] + q), q < k. */
+static void combine_lines(shape around, size_t n, size_t m, size_t i, int lines,
+                          const int *first, int k, const double *weight,
+                          const double *restrict old, double *restrict new)
 {
-    for (size_t a = 0; a < around.outer; a++) {
-        const double *from = old + (a * n + (size_t)first) * around.inner;
-        double *to = new + (a * m + i) * around.inner;
-
-        for (size_t b = 0; b < around.inner; b++) {
-            double sum = 0;
-
-            for (int q = 0; q < k; q++)
-                sum += weight[q] * from[(size_t)q * around.inner + b];
-            to[b] = sum;
-        }
-    }
+    for (size_t a = 0; a < around.outer; a++)
+        for (int l = 0; l < lines; l++)
+            kw_combine(k, (int)around.inner, weight + l * k,
+                       old + (a * n + (size_t)first[l]) * around.inner,
+                       new + (a * m + i + (size_t)l) * around.inner);
 }
 
 /* The directions before h have their new sizes, those behind it the old ones. */
@@ -262,12 +302,13 @@ void kw_tensor_grid(const kw_tensor *g, int N, const double *c, const int *r,
         size_t m = (size_t)count[h];
         double *new = h + 1 == g->D ? point : work;
 
-        for (size_t i = 0; i < m; i++) {
-            double value[K];
-            int first = univariate(g->s[h], r ? r[h] : 0, x[h][i], value);
+        for (size_t i = 0; i < m; i += BATCH) {
+            double value[BATCH * K];
+            int first[BATCH], lines = m - i < BATCH ? (int)(m - i) : BATCH;
 
-            combine_lines(around, (size_t)g->s[h]->n, m, i, first, g->s[h]->d + 1, value,
-                          old, new);
+            univariate(g->s[h], r ? r[h] : 0, lines, x[h] + i, first, value);
+            combine_lines(around, (size_t)g->s[h]->n, m, i, lines, first, g->s[h]->d + 1,
+                          value, old, new);
         }
         old = new;
         work = new + around.outer *m *around.inner;
@@ -307,8 +348,8 @@ void kw_tensor_refine(const kw_tensor *g, const kw_tensor *fine, int N, const do
             double alpha[K];
             int first = kw_insert_oslo_row(g->s[h], fine->s[h], (int)i, alpha);
 
-            combine_lines(around, (size_t)g->s[h]->n, m, i, first, g->s[h]->d + 1, alpha,
-                          old, new);
+            combine_lines(around, (size_t)g->s[h]->n, m, i, 1, &first, g->s[h]->d + 1,
+                          alpha, old, new);
         }
         old = new;
         work = new + around.outer *m *around.inner;

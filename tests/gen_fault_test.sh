@@ -85,20 +85,46 @@ good "begun again and again, completed at last"
 same whole killed "the same after all, and nothing is left over"
 rm -rf killed
 
-# --- a shard that somebody else makes ---
+# --- what somebody else is at work on ---
+# held FILE COMMAND ... -- the command, while another process holds the lock on the file
+held() {
+    python3 -c '
+import fcntl, subprocess, sys
+f = open(sys.argv[1], "w")
+fcntl.lockf(f, fcntl.LOCK_EX)
+sys.exit(subprocess.call(sys.argv[2:], stdout=open("out", "w"), stderr=open("err", "w")))' "$@"
+    status=$?
+}
 if command -v python3 >/dev/null; then
     cp -r whole shared
     rm shared/shards/00000-of-00004.done
-    # shellcheck disable=SC2016,SC2086
-    python3 -c '
-import fcntl, subprocess, sys
-f = open("shared/shards/00000-of-00004.begun", "w")
-fcntl.lockf(f, fcntl.LOCK_EX)
-sys.exit(subprocess.call(sys.argv[1:], stdout=open("out", "w"), stderr=open("err", "w")))' \
-        "$gen" curve $options --out shared --shard 0
-    status=$?
-    bad "a shard that another process makes" 'another process makes this shard'
+    # shellcheck disable=SC2086
+    held shared/shards/00000-of-00004.begun "$gen" curve $options --out shared --shard 0
+    bad "a shard that another process makes" 'another process is at work on it'
+    cp whole/shards/00000-of-00004.done shared/shards
+    # shellcheck disable=SC2086
+    held shared/shards/00004-of-00004.begun "$gen" curve $options --out shared
+    bad "the files beside a set that another process writes" '00004-of-00004.begun: another process is at work on it'
+    # shellcheck disable=SC2086
+    call curve $options --out shared
+    good "the other process has ended"
+    same whole shared "the same after all, and no stamp is left"
 fi
+
+# --- the same call twice at the same time: both write the files beside the set ---
+call curve --count 400 --points 2 --format xml --out twice
+cp -r twice once
+odd=0
+for pause in 0 0 0 1 1 1 2 2 2 3; do
+    "$gen" curve --count 400 --points 2 --format xml --out twice >out 2>&1 &
+    sleep 0.00$pause
+    "$gen" curve --count 400 --points 2 --format xml --out twice >err 2>&1 && wait $! &&
+        diff -r once twice >"$said" 2>&1 || odd=$((odd + 1))
+    wait
+done
+[ "$odd" = 0 ]
+result $? "fault: two calls at the same time leave the set that one leaves"
+rm -rf twice once
 
 # --- no room ---
 if [ -w /dev/full ]; then

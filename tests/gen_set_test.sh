@@ -34,7 +34,7 @@ bad() {
 # faulty NAME TEXT -- verify names a defect with TEXT, and how many there are
 faulty() {
     call verify "$1"
-    [ "$status" = 1 ] && [ ! -s out ] && grep -q -F -e "$2" err && grep -q ' defects$' err
+    [ "$status" = 1 ] && [ ! -s out ] && grep -q -F -e "$2" err && grep -q -E ' defects?$' err
     result $? "set: verify finds $2"
 }
 
@@ -138,6 +138,12 @@ touch -d '2001-01-01' whole/points/train-00000-of-00004.npy
 call curve $options --out whole
 [ "$(find whole/points -name 'train-00000*.npy' -newermt '2002-01-01' | wc -l)" = 0 ]
 result $? "set: a complete shard is left alone"
+# killed between the two: the shard is done, and its other stamp is not yet removed
+touch whole/shards/00001-of-00004.begun whole/shards/00004-of-00004.begun
+# shellcheck disable=SC2086
+call curve $options --out whole
+[ "$status" = 0 ] && [ ! -e whole/shards/00001-of-00004.begun ] && [ ! -e whole/shards/00004-of-00004.begun ]
+result $? "set: stamps of calls that were killed go away"
 rm -rf parts jobs
 
 # --- a folder of something else ---
@@ -170,7 +176,15 @@ good "what was lost is made again"
 same whole kept "the same again"
 # the last sample for training in place of one for the test: the sums agree, the ranges do not
 cp kept/counts/train-00000-of-00004.csv kept/counts/test-00003-of-00004.csv
-faulty kept 'counts/test-00003-of-00004.csv: these are not the samples'
+faulty kept 'counts/test-00003-of-00004.csv: these are not the 1 samples from 24 on'
+# shellcheck disable=SC2086
+call curve $options --out kept
+# shellcheck disable=SC2016  # sed's dollar
+for lie in 1d 2d 3d '$d' '3s/^./x/' '1,2{h;d};3G' d; do
+    cp whole/SHA256SUMS kept
+    sed -i "$lie" kept/SHA256SUMS
+    faulty kept 'SHA256SUMS: these are not the sums of the set'
+done
 rm kept/SHA256SUMS
 faulty kept 'SHA256SUMS: No such file'
 call verify mine
@@ -215,12 +229,23 @@ wrong 'there are too few' --count 5 --shards 4 --jobs 5 --out new
 wrong 'no format `hdf'"'" --count 5 --format csv,hdf --out new
 wrong 'no format `'"'" --count 5 --format csv, --out new
 wrong '--degree is 6, not within 1 .. 5' --count 5 --degree 6 --out new
-wrong '--degree is `3.5'"'" --count 5 --degree 3.5 --out new
-wrong '--noise is `nan'"'" --count 5 --noise nan --out new
+wrong '--degree has `3.5'"'" --count 5 --degree 3.5 --out new
+wrong '--noise has `nan'"'" --count 5 --noise nan --out new
 wrong '--noise is -1, not within' --count 5 --noise -1 --out new
 wrong '--law is `cubic'"'" --count 5 --law cubic --out new
 wrong 'from more to less' --count 5 --points 8-4 --out new
 wrong 'degree 3 needs 4 at least' --count 5 --controls 3 --out new
+wrong 'both ends are 2 points' --count 5 --parameters pinned --points 1-4 --out new
+call scatter --count 1 --voids 5 --out new
+bad 2 "voids where there are none" 'only --sampling voids has some'
+[ ! -e new ]
+result $? "set: voids where there are none: nothing is made"
+
+# Zero has one name and one set.
+call classes --count 1 --points 2 --margin 0 --out zero
+call classes --count 1 --points 2 --margin -0 --out minus
+good "minus zero"
+same zero minus "minus zero is zero"
 
 # The last index there is.
 call curve --first 9223372036854775807 --count 1 --out last

@@ -297,6 +297,13 @@ static void one_many(int count)
     kw_bspline_one_many(space, 1, 0, count, space->t, scratch);
 }
 
+static void span_many(int count)
+{
+    int span;
+
+    kw_bspline_span_many(space, count, space->t, &span);
+}
+
 static const struct index {
     const char *text;
     void (*call)(int i);
@@ -325,6 +332,7 @@ static const struct index {
     {"-1 points", basis_many, -1},
     {"-2 points", derivatives_many, -2},
     {"-3 points", one_many, -3},
+    {"-4 points", span_many, -4},
 };
 
 static const struct index *now_index;

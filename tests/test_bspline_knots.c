@@ -262,6 +262,33 @@ static void many_points(const kw_bspline *s, kw_rng *r)
     }
 }
 
+/* More points than are taken at a time, odd and even counts. */
+static void longer_than_a_batch(const kw_bspline *s, kw_rng *r)
+{
+    enum { FEWEST = 60, MOST = 140 };
+    static double value[MOST * 2 * K + GUARD];
+    double x[MOST], one[ROOM];
+    int first[MOST], span[MOST + 1], count = FEWEST + kw_rng_below(r, MOST - FEWEST + 1);
+    int order = kw_rng_below(r, 2), size = (order + 1) * (s->d + 1);
+
+    for (int i = 0; i < count; i++)
+        x[i] = i % 10 ? test_random_point(r, s) : s->t[s->n];
+    span[count] = UNTOUCHED;
+    kw_bspline_span_many(s, count, x, span);
+    CHECK(span[count] == UNTOUCHED, "%d points", count);
+    poison(value, count * size);
+    kw_bspline_derivatives_many(s, count, x, order, first, value);
+    CHECK(written(value, count * size), "%d points, d = %d", count, s->d);
+    for (int i = 0; i < count; i++) {
+        CHECK(span[i] == kw_bspline_span(s, x[i]), "point %d of %d: %d", i, count,
+              span[i]);
+        CHECK(first[i] == span[i] - s->d, "point %d of %d: %d", i, count, first[i]);
+        kw_bspline_derivatives(s, x[i], order, one);
+        CHECK(same_bits(one, value + i * size, size), "point %d of %d, d = %d", i, count,
+              s->d);
+    }
+}
+
 static void no_points(const kw_bspline *s, kw_rng *r)
 {
     double value[GUARD];
@@ -269,6 +296,7 @@ static void no_points(const kw_bspline *s, kw_rng *r)
 
     (void)r;
     poison(value, 0);
+    kw_bspline_span_many(s, 0, value, &first);
     kw_bspline_basis_many(s, 0, value, &first, value);
     kw_bspline_derivatives_many(s, 0, value, 2, &first, value);
     kw_bspline_one_many(s, 0, 0, 0, value, value);
@@ -339,6 +367,8 @@ int main(void)
     run_over_spaces("bspline: many points are points one by one, bit for bit", 8,
                     many_points);
     run_over_spaces("bspline: so at degrees up to 31", all, many_points);
+    run_over_spaces("bspline: so are more points than are taken at a time", all,
+                    longer_than_a_batch);
     run_over_spaces("bspline: no points, nothing written", 6, no_points);
     test_run("bspline: degree 0 is the indicator of each span", degree_0);
     test_run("bspline: degree 31 on one cell", degree_31);

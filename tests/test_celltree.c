@@ -2,7 +2,7 @@
 #include "celltree.h"
 #include "meshes.h"
 
-enum { MESHES = 60, PLACES = 50 };
+enum { MESHES = 60, PLACES = 50, MANY = 150 };
 
 /* Each leaf is an active cell, and each active cell one leaf; the search takes the same halves
    as kw_mesh_locate, level by level. */
@@ -34,6 +34,30 @@ static void check_places(const twin *w, kw_rng *r)
     kw_celltree_free(t);
 }
 
+/* Many points are led where each of them is; one more than there are is not written. */
+static void check_many(const twin *w, kw_rng *r)
+{
+    kw_celltree *t = kw_celltree_new(w->mesh);
+    double *x = room_for(MANY * w->D, sizeof *x);
+    int leaf[MANY + 1], count = kw_rng_below(r, MANY + 1);
+
+    for (int p = 0; p < count; p++)
+        random_place(r, w, x + p * w->D);
+    leaf[count] = -7;
+    kw_celltree_leaf_many(t, count, x, leaf);
+    CHECK(leaf[count] == -7, "more than %d leaves", count);
+    for (int p = 0; p < count; p++) {
+        int cell[D_MOST] = {0}, node = kw_celltree_root(t, x + p * w->D, cell);
+
+        while (t->node[node].child >= 0)
+            node = kw_celltree_below(t, node, x + p * w->D, cell);
+        CHECK(leaf[p] == -1 - t->node[node].child, "point %d of %d: leaf %d", p, count,
+              leaf[p]);
+    }
+    free(x);
+    kw_celltree_free(t);
+}
+
 static void places(void)
 {
     for (int D = 1; D <= D_MOST; D++)
@@ -42,6 +66,7 @@ static void places(void)
             twin w = random_twin(&r, D, 3, 4, 3);
 
             check_places(&w, &r);
+            check_many(&w, &r);
             twin_free(&w);
         }
 }
@@ -89,9 +114,17 @@ static void beyond(void)
     kw_celltree_root(kw_celltree_new(kw_mesh_new(g)), x, cell);
 }
 
+static void negative_count(void)
+{
+    kw_tensor *g = meshes_uniform(2, 2, 3);
+
+    kw_celltree_leaf_many(kw_celltree_new(kw_mesh_new(g)), -1, NULL, NULL);
+}
+
 static void misuse_aborts(void)
 {
     kw_celltree_free(NULL);
+    test_aborts("-1 points", negative_count);
     test_aborts("x = 3.5 outside the domain [0, 3]", beyond);
 }
 
@@ -99,6 +132,6 @@ int main(void)
 {
     test_run("celltree: a point is led to the cell that holds it", places);
     test_run("celltree: each active cell is one leaf", leaves_are_cells);
-    test_run("celltree: a point outside aborts", misuse_aborts);
+    test_run("celltree: a point outside aborts, and a negative count", misuse_aborts);
     return test_end();
 }

@@ -208,6 +208,40 @@ static void ones(const bases *q, kw_rng *r)
     free(value);
 }
 
+/* Many points have what each of them has, to the bit. */
+static void together(const bases *q, kw_rng *r)
+{
+    const int most = q->b->most;
+    double x[PLACES * D_MOST], *value = room_for(PLACES * most + GUARD, sizeof *value);
+    double *alone = room_for(most, sizeof *alone);
+    int *index = room_for(PLACES * most, sizeof *index), found[PLACES], order[D_MOST];
+    int *alone_index = room_for(most, sizeof *alone_index);
+
+    for (int h = 0; h < q->w.D; h++)
+        order[h] = kw_rng_below(r, 2);
+    for (int p = 0; p < PLACES; p++)
+        place(q, r, p, x + p * q->w.D);
+    for (int k = 0; k < 2; k++) {
+        poison(value, PLACES * most);
+        kw_hier_at_many(q->b, KIND[k], order, PLACES, x, found, index, value);
+        CHECK(isnan(value[PLACES * most]), "more than %d rows", PLACES);
+        for (int p = 0; p < PLACES; p++) {
+            int count =
+                kw_hier_at(q->b, KIND[k], order, x + p * q->w.D, alone_index, alone);
+
+            CHECK(found[p] == count, "%d functions, not %d", found[p], count);
+            CHECK(same_bits(alone, value + p * most, count), "point %d", p);
+            CHECK(memcmp(alone_index, index + p * most, (size_t)count * sizeof *index) ==
+                      0,
+                  "point %d", p);
+        }
+    }
+    free(value);
+    free(alone);
+    free(index);
+    free(alone_index);
+}
+
 static void unity_and_signs(void)
 {
     over_meshes(unity);
@@ -226,6 +260,11 @@ static void derivatives_of_one(void)
 static void one_function(void)
 {
     over_meshes(ones);
+}
+
+static void many_points(void)
+{
+    over_meshes(together);
 }
 
 /* --- spans --- */
@@ -358,6 +397,7 @@ int main(void)
              products_and_order);
     test_run("hier: derivatives of all orders add up to zero", derivatives_of_one);
     test_run("hier: one function is what the list says", one_function);
+    test_run("hier: many points have what each of them has", many_points);
     test_run("hier: both bases are independent and span the same space", spans_agree);
     test_run("hier: refined nowhere or everywhere they are the tensor product",
              tensor_products);

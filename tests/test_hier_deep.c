@@ -168,8 +168,14 @@ static void cell_beyond(void)
     kw_hier_local(small(), 9, NULL, INSIDE, value);
 }
 
+static void negative_count(void)
+{
+    kw_hier_at_many(small(), KW_HB, NULL, -1, INSIDE, NULL, NULL, NULL);
+}
+
 static void misuse_aborts(void)
 {
+    test_aborts("-1 points", negative_count);
     test_aborts("function 25, not in 0 .. 24", function_beyond);
     test_aborts("function -1, not in 0 .. 24", function_before);
     test_aborts("x = 3.5 outside the domain [0, 3]", beyond_thb);

@@ -184,6 +184,70 @@ static void a_full_knot_keeps_both_sides(const kw_bspline *s, kw_rng *r)
     kw_bspline_free(fine);
 }
 
+/* The coefficients of fine by one knot after the other, from left to right. */
+static void one_by_one(const kw_bspline *s, const kw_bspline *fine, int N, double *c)
+{
+    double finer[3 * MOST];
+    kw_bspline *now = kw_bspline_new_copy(s);
+
+    for (int i = 0; now->n < fine->n; i++) {
+        kw_bspline *next;
+
+        if (now->t[i] == fine->t[i])
+            continue;
+        next = kw_insert_new_knot(now, fine->t[i]);
+        kw_insert_boehm(now, fine->t[i], N, c, finer);
+        memcpy(c, finer, (size_t)(next->n * N) * sizeof *c);
+        kw_bspline_free(now);
+        now = next;
+    }
+    kw_bspline_free(now);
+}
+
+/* In one walk they are the same numbers. */
+static void all_at_once_is_one_by_one(const kw_bspline *s, kw_rng *r)
+{
+    double c[3 * MOST], all[3 * MOST + GUARD];
+    int N = 1 + kw_rng_below(r, 3), added;
+    kw_bspline *fine = refine(r, s, c, &added);
+
+    random_coefficients(r, N * s->n, c);
+    poison(all, N * fine->n);
+    kw_insert_boehm_all(s, fine, N, c, all);
+    CHECK(written(all, N * fine->n), "n = %d", fine->n);
+    one_by_one(s, fine, N, c);
+    for (int i = 0; i < N * fine->n; i++)
+        CHECK(all[i] == c[i], "d = %d, N = %d, %d of %d: %.17g, %.17g", s->d, N, i,
+              N * fine->n, all[i], c[i]);
+    kw_bspline_free(fine);
+}
+
+static int is_open(const kw_bspline *s)
+{
+    return s->t[0] == s->t[s->d] && s->t[s->n] == s->t[s->n + s->d];
+}
+
+/* Open knots: then the auxiliary knots of the halves are the same. */
+static void halving_all_at_once(const kw_bspline *s, kw_rng *r)
+{
+    enum { N = 3 };
+    double c[N * MOST], all[N * MOST + GUARD], rows[N * MOST];
+    kw_bspline *fine;
+
+    if (!is_open(s))
+        return;
+    fine = kw_insert_new_dyadic(s);
+    random_coefficients(r, N * s->n, c);
+    poison(all, N * fine->n);
+    kw_insert_boehm_all(s, fine, N, c, all);
+    CHECK(written(all, N * fine->n), "n = %d", fine->n);
+    kw_insert_oslo(s, fine, N, c, rows);
+    for (int i = 0; i < N * fine->n; i++) /* each of at most d knots has averaged it */
+        CHECK(fabs(all[i] - rows[i]) <= bound(BOEHM * s->d + oslo(s->d), 1),
+              "d = %d, %d: %.17g, %.17g", s->d, i, all[i], rows[i]);
+    kw_bspline_free(fine);
+}
+
 /* --- Oslo --- */
 
 static void boehm_again_and_again_is_oslo(const kw_bspline *s, kw_rng *r)
@@ -276,11 +340,6 @@ static void auxiliary_knots_are_free(void)
 
 /* --- two scales --- */
 
-static int is_open(const kw_bspline *s)
-{
-    return s->t[0] == s->t[s->d] && s->t[s->n] == s->t[s->n + s->d];
-}
-
 /* column j of the Oslo matrix by its rows */
 static double oslo_entry(const kw_bspline *s, const kw_bspline *fine, int i, int j)
 {
@@ -371,6 +430,38 @@ static void two_scale_of_other(void)
     kw_insert_two_scale(given, other, 0, &first, scratch);
 }
 
+static void all_of_other(void)
+{
+    kw_insert_boehm_all(given, other, 1, scratch, scratch);
+}
+
+static void nothing_of_other(void)
+{
+    kw_insert_boehm_all(given, other, 0, scratch, scratch);
+}
+
+static void all_at_once_needs_its_knots(void)
+{
+    const double half[] = {0, 0, 0.5, 1, 1}, third[] = {0, 0, 0.25, 0.75, 1, 1};
+    const double outside[] = {-1, 0, 0.5, 1, 1};
+
+    given = kw_bspline_new(1, 3, half);
+    other = kw_bspline_new(1, 4, third);
+    test_aborts("the coarse knot 0.5 (t[2]) is missing", all_of_other);
+    test_aborts("N = 0", nothing_of_other);
+    kw_bspline_free(other);
+    other = kw_bspline_new(1, 3, outside);
+    test_aborts("other auxiliary knots: 0 and -1", all_of_other);
+    kw_bspline_free(other);
+    other = kw_bspline_new_open_uniform(2, 6, 0, 1);
+    test_aborts("degrees 1 and 2", all_of_other);
+    kw_bspline_free(other);
+    other = kw_bspline_new_open_uniform(1, 1, 0, 1); /* coarser than given */
+    test_aborts("the coarse knot 0.5 (t[2]) is missing", all_of_other);
+    kw_bspline_free(other);
+    kw_bspline_free(given);
+}
+
 static void other_degree_or_domain(void)
 {
     given = kw_bspline_new_open_uniform(2, 3, 0, 1);
@@ -424,6 +515,11 @@ int main(void)
                     coordinates_are_independent);
     run_over_spaces("insert: a knot k times leaves both sides where they are", HIGHEST,
                     a_full_knot_keeps_both_sides);
+    run_over_spaces("insert: all knots at once are one after the other, to the bit",
+                    HIGHEST, all_at_once_is_one_by_one);
+    run_over_spaces("insert: halving all at once is Oslo", HIGHEST, halving_all_at_once);
+    test_run("insert: all at once needs every coarse knot, the auxiliary ones too",
+             all_at_once_needs_its_knots);
     run_over_spaces("insert: Boehm again and again is Oslo", HIGHEST,
                     boehm_again_and_again_is_oslo);
     run_over_spaces("insert: rows of the Oslo matrix are averages", HIGHEST,

@@ -332,6 +332,42 @@ static void many_points_are_points(const kw_tensor *g, kw_rng *r)
     free(c);
 }
 
+/* A geometry in R^M is its coordinates one by one, to the bit, at more points and grid lines than
+   are taken at a time; a grid in one direction is its points. */
+static void coordinates_do_not_mix(const kw_tensor *g, kw_rng *r)
+{
+    enum { COUNT = 67, MOST = 4 };
+    int M = 1 + kw_rng_below(r, MOST), n = kw_tensor_dimension(g);
+    double *c = malloc((size_t)(M + 1) * (size_t)n * sizeof *c), *alone = c + M * n;
+    double x[COUNT * D3], point[COUNT * MOST + GUARD], one[COUNT];
+
+    for (int i = 0; i < M * n; i++)
+        c[i] = test_random_in(r, -1, 1);
+    for (int i = 0; i < COUNT; i++)
+        point_number(r, g, i, x + i * g->D);
+    poison(point, COUNT * M);
+    kw_tensor_point_many(g, M, c, NULL, COUNT, x, point);
+    CHECK(written(point, COUNT * M), "D = %d", g->D);
+    for (int a = 0; a < M; a++) {
+        for (int i = 0; i < n; i++)
+            alone[i] = c[i * M + a];
+        kw_tensor_point_many(g, 1, alone, NULL, COUNT, x, one);
+        for (int i = 0; i < COUNT; i++)
+            CHECK(point[i * M + a] == one[i], "D = %d, M = %d, point %d: %.17g, %.17g",
+                  g->D, M, i, point[i * M + a], one[i]);
+    }
+    if (g->D == 1) {
+        double grid[COUNT * MOST + GUARD];
+        const double *const lines[] = {x};
+        const int count = COUNT;
+
+        poison(grid, COUNT * M);
+        kw_tensor_grid(g, M, c, NULL, &count, lines, NULL, grid);
+        CHECK(written(grid, COUNT * M) && same_bits(grid, point, COUNT * M), "M = %d", M);
+    }
+    free(c);
+}
+
 /* --- refinement --- */
 
 /* A refined coefficient has 6d + 2 roundings a direction on an average (test_insert.c). */
@@ -425,6 +461,8 @@ int main(void)
                      a_grid_is_its_points);
     run_over_tensors("tensor: many points are the points one by one",
                      many_points_are_points);
+    run_over_tensors("tensor: so are many more, and each coordinate alone",
+                     coordinates_do_not_mix);
     run_over_tensors("tensor: a knot line leaves the geometry where it is",
                      a_knot_line_leaves_the_geometry);
     run_over_tensors("tensor: halving all directions leaves the geometry where it is",

@@ -185,9 +185,10 @@ local function with_symbols(book, words)
         text = ""
     end
     for _, word in ipairs(words) do
-        local name, rest = (word.text or ""):match("^([%w_.+-]+)(,?)$")
+        local open, name, rest = (word.text or ""):match("^(%(?)([%w_.+-]+)([,.)]*)$")
         local target = name and (book.claims[name] and "claim-" .. name or book.drivers[name])
         if target then
+            text = text .. open
             flush()
             result:insert(pandoc.Link(name, "#" .. target))
             text = rest

@@ -131,7 +131,7 @@ static void by_levels(kw_out *f)
     printf("    levels    functions   bytes each   listed at a point\n");
     for (int i = 0; i < ROWS; i++) {
         printf("%10.0f %12d %12.0f %19.1f\n", size[i], w[i]->b->active->size,
-               (double)kw_hier_bytes(w[i]->b) / w[i]->b->active->size, w[i]->found);
+               (double)kw_hier_bytes(w[i]->b) / w[i]->b->active->size, w[i]->listed);
         hier_work_free(w[i]);
     }
 }

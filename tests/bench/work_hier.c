@@ -17,8 +17,9 @@ hier_work *hier_work_new(int d, int cells, int times, int count)
     for (int i = 0; i < count; i += 2)
         w->x[2 * i + 1] = w->x[2 * i];
     w->y = kw_need_memory((size_t)count * WORK_N, sizeof *w->y);
-    w->index = kw_need_memory((size_t)w->b->most, sizeof *w->index);
-    w->value = kw_need_memory((size_t)w->b->most, sizeof *w->value);
+    w->found = kw_need_memory(WORK_BLOCK, sizeof *w->found);
+    w->index = kw_need_memory((size_t)WORK_BLOCK * (size_t)w->b->most, sizeof *w->index);
+    w->value = kw_need_memory((size_t)WORK_BLOCK * (size_t)w->b->most, sizeof *w->value);
     c = new_random((size_t)w->b->active->size * WORK_N);
     w->p = kw_hierpieces_new(w->b, w->kind, WORK_N, c);
     free(c);
@@ -29,6 +30,7 @@ void hier_work_free(hier_work *w)
 {
     free(w->x);
     free(w->y);
+    free(w->found);
     free(w->index);
     free(w->value);
     kw_hierpieces_free(w->p);
@@ -47,12 +49,17 @@ void work_build(void *with)
 void work_functions(void *with)
 {
     hier_work *w = with;
-    double found = 0;
+    double listed = 0;
 
-    for (int i = 0; i < w->count; i++)
-        found += kw_hier_at(w->b, w->kind, NULL, w->x + (size_t)2 * (size_t)i, w->index,
-                            w->value);
-    w->found = found / w->count;
+    for (int done = 0; done < w->count; done += WORK_BLOCK) {
+        int block = w->count - done < WORK_BLOCK ? w->count - done : WORK_BLOCK;
+
+        kw_hier_at_many(w->b, w->kind, NULL, block, w->x + (size_t)2 * (size_t)done,
+                        w->found, w->index, w->value);
+        for (int i = 0; i < block; i++)
+            listed += w->found[i];
+    }
+    w->listed = listed / w->count;
 }
 
 void work_hierpieces(void *with)

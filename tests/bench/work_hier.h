@@ -5,17 +5,20 @@
 
 #include "hierpieces.h"
 
+enum { WORK_BLOCK = 1000 };
+
 typedef struct hier_work {
     kw_mesh *m;
     kw_hier *b;
-    kw_hier_kind kind;
     kw_hierpieces *p; /* of a geometry in R^3 */
-    int count;     /* points: half of them anywhere, half of them in the finest cells */
-    double *x;     /* count x 2 */
-    double *y;     /* count x 3 */
-    int *index;    /* b->most */
-    double *value; /* b->most */
-    double found;  /* functions listed at a point, on average; work_functions sets it */
+    double *x;        /* count x 2: points, half anywhere and half in the finest cells */
+    double *y;        /* count x 3 */
+    /* room for WORK_BLOCK points at a time: so little that it stays in the cache */
+    int *found, *index;
+    double *value;
+    double listed; /* functions at a point, on average; work_functions sets it */
+    kw_hier_kind kind;
+    int count;
 } hier_work;
 
 /* cells x cells of them, refined so many times. */

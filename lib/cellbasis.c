@@ -1,0 +1,86 @@
+#include "cellbasis.h"
+#include "need.h"
+
+enum { K = KW_BSPLINE_DEGREE + 1 };
+
+/* --- one direction after the other --- */
+
+void kw_cellbasis_direction(const kw_bspline *s, int span, int r, double x, double *value)
+{
+    double all[K * K];
+    int k = s->d + 1;
+
+    KW_NEED(r >= 0, "derivative %d", r);
+    kw_bspline_derivatives_on(s, span, x, r < k ? r : 0, all);
+    for (int i = 0; i < k; i++)
+        value[i] = r < k ? all[r * k + i] : 0;
+}
+
+static void products(const kw_mesh_level *l, int D, const int *span, const int *r,
+                     const double *x, double *value)
+{
+    double factor[K];
+    int size = 1; /* products so far; the same loop as in kw_tensor_basis */
+
+    value[0] = 1;
+    for (int h = 0; h < D; h++) {
+        int k = l->s[h]->d + 1;
+
+        kw_cellbasis_direction(l->s[h], span[h], r ? r[h] : 0, x[h], factor);
+        for (int a = size - 1; a >= 0; a--)
+            for (int i = k - 1; i >= 0; i--) /* NOLINTNEXTLINE: both are set */
+                value[a * k + i] = value[a] * factor[i];
+        size *= k;
+    }
+}
+
+/* --- surfaces of degree 2 and 3: values ---
+
+   Both directions go through the recursion abreast, as two points do in recursion.c, and with
+   a degree that is a constant its loops become one straight line. */
+
+typedef double pair __attribute__((vector_size(2 * sizeof(double))));
+
+/* The recursion of Definition 3 on the spans that end at the knots s[0] and t[0]: value[0..d]. */
+static inline void recursion(int d, const double *s, const double *t, pair x, pair *value)
+{
+    value[0] = (pair){1, 1};
+    for (int p = 1; p <= d; p++) {
+        pair from_left = {0};
+
+        for (int r = 0; r < p; r++) {
+            pair left = {s[r - p], t[r - p]}, right = {s[r], t[r]};
+            pair width = right - left, old = value[r];
+
+            value[r] = from_left + (right - x) / width * old;
+            from_left = (x - left) / width * old;
+        }
+        value[p] = from_left;
+    }
+}
+
+static inline void surface(int d, const kw_mesh_level *l, const int *span,
+                           const double *x, double *value)
+{
+    pair factor[K];
+
+    recursion(d, l->s[0]->t + span[0] + 1, l->s[1]->t + span[1] + 1, (pair){x[0], x[1]},
+              factor);
+    for (int i = 0; i <= d; i++)
+        for (int j = 0; j <= d; j++)
+            value[i * (d + 1) + j] = factor[i][0] * factor[j][1];
+}
+
+void kw_cellbasis_at(const kw_mesh *m, int level, const int *span, const int *r,
+                     const double *x, double *value)
+{
+    const kw_mesh_level *l = &m->level[level];
+    const int values_on_surface = !r && m->D == 2 && l->s[0]->d == l->s[1]->d;
+
+    if (values_on_surface && l->s[0]->d == 2)
+        surface(2, l, span, x, value);
+    else if (values_on_surface && l->s[0]->d == 3)
+        surface(3, l, span, x, value);
+    else
+        products(l, m->D, span, r, x, value);
+}
