@@ -66,8 +66,9 @@ static void count_cells(kw_active *a, int level)
     free(list);
 }
 
-/* What a function is, from the counts and the number of cells in its support: it is inside
-   Omega^l if all of them are, and covered if all of them are refined. [source text, (14)] */
+/* What a function is, from the counts and the number of cells in its support: it
+   is inside Omega^l if all of them are, and covered if all of them are refined.
+   [source text, (14)] */
 static int status_from_counts(int counts, int cells)
 {
     if (counts % REFINED < cells)

@@ -427,11 +427,14 @@ void kw_bspline_derivatives_many(const kw_bspline *s, int count, const double *x
         end = count - done < BATCH ? count : done + BATCH;
         kw_bspline_span_many(s, end - done, x + done, first + done);
         for (int i = done; i < end; i += 2) {
-            int j = i + 1 < end ? i + 1 : i;
+            const double *t = s->t + first[i] + 1;
+            double *at = value + (size_t)i * size;
 
-            kw_recursion_two(s->d, s->t + first[i] + 1, x[i], value + (size_t)i * size,
-                             s->t + first[j] + 1, x[j], value + (size_t)j * size,
-                             rows - 1);
+            if (i + 1 < end)
+                kw_recursion_two(s->d, t, x[i], at, s->t + first[i + 1] + 1, x[i + 1],
+                                 at + size, rows - 1);
+            else
+                kw_recursion_one(s->d, t, x[i], 1, rows - 1, at);
         }
         for (int i = done; i < end && r > s->d; i++)
             zero_rows(s, r, value + (size_t)i * size);

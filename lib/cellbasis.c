@@ -1,5 +1,6 @@
 #include "cellbasis.h"
 #include "need.h"
+#include "recursion.h"
 
 enum { K = KW_BSPLINE_DEGREE + 1 };
 
@@ -36,36 +37,18 @@ static void products(const kw_mesh_level *l, int D, const int *span, const int *
 
 /* --- surfaces of degree 2 and 3: values ---
 
-   Both directions go through the recursion abreast, as two points do in recursion.c, and with
-   a degree that is a constant its loops become one straight line. */
-
-typedef double pair __attribute__((vector_size(2 * sizeof(double))));
-
-/* The recursion of Definition 3 on the spans that end at the knots s[0] and t[0]: value[0..d]. */
-static inline void recursion(int d, const double *s, const double *t, pair x, pair *value)
-{
-    value[0] = (pair){1, 1};
-    for (int p = 1; p <= d; p++) {
-        pair from_left = {0};
-
-        for (int r = 0; r < p; r++) {
-            pair left = {s[r - p], t[r - p]}, right = {s[r], t[r]};
-            pair width = right - left, old = value[r];
-
-            value[r] = from_left + (right - x) / width * old;
-            from_left = (x - left) / width * old;
-        }
-        value[p] = from_left;
-    }
-}
+   Both directions go through the recursion abreast, and with a degree that is a constant its
+   loops become one straight line. */
 
 static inline void surface(int d, const kw_mesh_level *l, const int *span,
                            const double *x, double *value)
 {
-    pair factor[K];
+    const double *s = l->s[0]->t + span[0] + 1, *t = l->s[1]->t + span[1] + 1;
+    kw_pair factor[K];
 
-    recursion(d, l->s[0]->t + span[0] + 1, l->s[1]->t + span[1] + 1, (pair){x[0], x[1]},
-              factor);
+    factor[0] = (kw_pair){1, 1};
+    for (int p = 1; p <= d; p++)
+        kw_recursion_raise_both(p, s, t, (kw_pair){x[0], x[1]}, factor, factor);
     for (int i = 0; i <= d; i++)
         for (int j = 0; j <= d; j++)
             value[i * (d + 1) + j] = factor[i][0] * factor[j][1];

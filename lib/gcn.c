@@ -109,8 +109,9 @@ static double *work_array(const kw_gcn *l, int k)
 
 typedef void product(const kw_graphmatrix *S, int channels, const double *x, double *y);
 
-/* T_k(S) x of a signal x, or T_k(S^T) x, as `multiply` says; to be asked for k = 0, 1, .. in
-   turn. By T_{k+1}(s) = 2 s T_k(s) - T_{k-1}(s), from T_0 = 1, T_1 = s. */
+/* T_k(S) x of a signal x, or T_k(S^T) x, as `multiply` says; to be asked for
+   k = 0, 1, .. in turn. By T_{k+1}(s) = 2 s T_k(s) - T_{k-1}(s), from T_0 = 1,
+   T_1 = s. */
 static const double *term(const kw_gcn *l, product *multiply, int k, int channels,
                           const double *x)
 {

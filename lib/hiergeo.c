@@ -97,8 +97,8 @@ static void need_finer(const kw_mesh *m, const kw_mesh *fine)
         }
 }
 
-/* Function i of `bases`: the entry of the local coefficients of a geometry of b, on an active
-   cell of the function's own level, that belongs to it. */
+/* Function i of `bases`: the entry of the local coefficients of a geometry of b,
+   on an active cell of the function's own level, that belongs to it. */
 static const double *entry(const kw_hier *b, const kw_hier *bases, int i,
                            kw_hier_kind kind, int N, const double *c, double *local)
 {

@@ -105,23 +105,30 @@ void kw_tensor_multi(const kw_tensor *g, int flat, int *j)
 
 /* --- functions --- */
 
-/* The r-th derivatives of the local functions of s at x[0..count-1]: value is count x (d+1). */
-static void univariate(const kw_bspline *s, int r, int count, const double *x, int *first,
-                       double *value)
+/* The r-th derivatives of the local functions of s at x, value[0..d]; returns the first. */
+static int univariate(const kw_bspline *s, int r, double x, double *value)
 {
     double all[K * K];
-    int d = s->d;
+    int first, d = s->d;
 
     KW_NEED(r >= 0, "derivative %d", r);
-    if (r == 0) {
+    if (r == 0)
+        return kw_bspline_basis(s, x, value);
+    first = kw_bspline_derivatives(s, x, r <= d ? r : d, all);
+    for (int i = 0; i <= d; i++)
+        value[i] = r <= d ? all[r * (d + 1) + i] : 0;
+    return first;
+}
+
+/* The same at x[0..count-1]: value is count x (d+1). */
+static void univariate_many(const kw_bspline *s, int r, int count, const double *x,
+                            int *first, double *value)
+{
+    if (r == 0)
         kw_bspline_basis_many(s, count, x, first, value);
-        return;
-    }
-    for (int l = 0; l < count; l++, value += d + 1) {
-        first[l] = kw_bspline_derivatives(s, x[l], r <= d ? r : d, all);
-        for (int i = 0; i <= d; i++)
-            value[i] = r <= d ? all[r * (d + 1) + i] : 0;
-    }
+    else
+        for (int l = 0; l < count; l++)
+            first[l] = univariate(s, r, x[l], value + l * (s->d + 1));
 }
 
 void kw_tensor_basis(const kw_tensor *g, const int *r, const double *x, int *first,
@@ -134,7 +141,7 @@ void kw_tensor_basis(const kw_tensor *g, const int *r, const double *x, int *fir
     for (int h = 0; h < g->D; h++) {
         int k = g->s[h]->d + 1;
 
-        univariate(g->s[h], r ? r[h] : 0, 1, x + h, first + h, factor);
+        first[h] = univariate(g->s[h], r ? r[h] : 0, x[h], factor);
         /* from the back, so that each product is read before its place is written */
         for (int a = size - 1; a >= 0; a--)
             for (int b = k - 1; b >= 0; b--)
@@ -167,19 +174,22 @@ static void find_local(const kw_tensor *g, const int *r, int points, const doubl
     int absent = KW_TENSOR_D - g->D;
     double line[BATCH];
 
-    for (int h = 0; h < KW_TENSOR_D; h++) {
-        const kw_bspline *s = h < absent ? NULL : g->s[h - absent];
-
-        l->k[h] = s ? s->d + 1 : 1;
-        l->n[h] = s ? s->n : 1;
-        for (int i = 0; i < points && !s; i++) {
+    for (int h = 0; h < absent; h++) {
+        l->k[h] = l->n[h] = 1;
+        for (int i = 0; i < points; i++) {
             l->first[h][i] = 0;
             l->factor[h][i] = 1;
         }
-        for (int i = 0; i < points && s; i++)
+    }
+    for (int h = absent; h < KW_TENSOR_D; h++) {
+        const kw_bspline *s = g->s[h - absent];
+
+        l->k[h] = s->d + 1;
+        l->n[h] = s->n;
+        for (int i = 0; i < points; i++)
             line[i] = x[i * g->D + h - absent];
-        if (s)
-            univariate(s, r ? r[h - absent] : 0, points, line, l->first[h], l->factor[h]);
+        univariate_many(s, r ? r[h - absent] : 0, points, line, l->first[h],
+                        l->factor[h]);
     }
 }
 
@@ -306,7 +316,7 @@ void kw_tensor_grid(const kw_tensor *g, int N, const double *c, const int *r,
             double value[BATCH * K];
             int first[BATCH], lines = m - i < BATCH ? (int)(m - i) : BATCH;
 
-            univariate(g->s[h], r ? r[h] : 0, lines, x[h] + i, first, value);
+            univariate_many(g->s[h], r ? r[h] : 0, lines, x[h] + i, first, value);
             combine_lines(around, (size_t)g->s[h]->n, m, i, lines, first, g->s[h]->d + 1,
                           value, old, new);
         }

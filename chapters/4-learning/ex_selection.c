@@ -5,7 +5,7 @@
    models there are; on a test set, which had no part in the choice, it has one half on average.
 
    Book: section 1.2, the validation and the test set.
-   Claims: learn.best.*
+   Claims: learn.best.*, learn.predict.*
    Chosen here: 50 models, 100 validation and 100 test samples, repeated 4000 times; other numbers
    of models and samples for the curves. */
 
@@ -193,6 +193,8 @@ int main(void)
     kw_claim_real(report, "learn.best.one", least_share(1, SAMPLES));
     kw_claim_real(report, "learn.best.two", least_share(2, 1));
     kw_claim_real(report, "learn.best.fifty", least_share(MODELS, SAMPLES));
+    kw_claim_real(report, "learn.predict.two", least_share(3, 2));
+    kw_claim_real(report, "learn.predict.four", least_share(3, 4));
     kw_claim_real(report, "learn.best.tried", largest_difference());
     kw_claim_real(report, "learn.best.validation", validation_sum / SAMPLES / REPEATS);
     kw_claim_real(report, "learn.best.test", test_sum / SAMPLES / REPEATS);

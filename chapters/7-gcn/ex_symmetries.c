@@ -38,9 +38,9 @@ static int next_permutation(int n, int *p)
     return 1;
 }
 
-/* The permutations of n nodes that leave all arrows (joined, n x n) where they are; and the
-   dimension of the linear maps that commute with each of them, the number of classes of
-   entries (i,j) that such a map must give the same value. */
+/* The permutations of n nodes that leave all arrows (joined, n x n) where they
+   are; and the dimension of the linear maps that commute with each of them, the
+   number of classes of entries (i,j) that such a map must give the same value. */
 static int count_symmetries(int n, const char *joined, int *maps)
 {
     int p[MOST] = {0}, class[MOST * MOST], symmetries = 0;

@@ -12,9 +12,9 @@ static inline kw_net *new_relu_net(int hidden)
     return kw_mlp_new(2, (const int[]){1, hidden, 1}, sigma);
 }
 
-/* The parameters w with which a net of n-1 hidden units is the piecewise linear function through
-   (t_i, c_i), i = 0 .. n-1, on [t_0, t_{n-1}]: c_0 and a hinge at each t_i but the last, whose
-   weight is the change of the slope there. */
+/* The parameters w with which a net of n-1 hidden units is the piecewise linear
+   function through (t_i, c_i), i = 0 .. n-1, on [t_0, t_{n-1}]: c_0 and a hinge at
+   each t_i but the last, whose weight is the change of the slope there. */
 static inline void hinges_of(int n, const double *t, const double *c, double *w)
 {
     const int hidden = n - 1;

@@ -19,36 +19,17 @@
 
 enum { POINTS = 100, SIZES = 6, DEGREE = 3, WAYS = 3 };
 
-/* The part of the domain, of as many equal ones as there are spans, in which x lies. */
-static int part_of(const kw_bspline *s, double x)
+/* The table of the library: the part of the domain in which x lies has its candidates, and these
+   are halved. */
+static int span_by_table(tally *t, const kw_bspline *s, double x)
 {
-    int parts = s->n - s->d;
-    double length = s->t[s->n] - s->t[s->d];
-    int part = (int)((x - s->t[s->d]) * (parts / length));
+    int part = (int)((x - s->t[s->d]) * s->scale);
+    int low = s->before[part < s->buckets ? part : s->buckets - 1];
 
-    return part < parts ? part : parts - 1;
-}
-
-/* For each part the last span that begins in an earlier one; at the end the last span. */
-static int *new_table(const kw_bspline *s)
-{
-    int parts = s->n - s->d, next = s->d;
-    int *before = kw_need_memory((size_t)parts + 1, sizeof *before);
-
-    for (int part = 0; part <= parts; part++) {
-        while (next < s->n && part_of(s, s->t[next]) < part)
-            next++;
-        before[part] = next > s->d ? next - 1 : s->d;
-    }
-    return before;
-}
-
-/* Bisection among the spans that meet the part of x. */
-static int span_by_table(tally *t, const kw_bspline *s, const int *before, double x)
-{
-    int part = part_of(s, x);
-
-    return span_between(t, s, x, before[part], before[part + 1] + 1);
+    for (int count = s->candidates; count > 1; count -= count / 2)
+        if (!below(t, x, s->t[low + count / 2]))
+            low += count / 2;
+    return low;
 }
 
 static kw_bspline *new_spans(int spans, int random)
@@ -69,7 +50,7 @@ static kw_bspline *new_spans(int spans, int random)
 static int look(const kw_bspline *s, tally *t)
 {
     kw_rng r = kw_rng_at(92, 0, 0, 0);
-    int *before = new_table(s), wrong = 0;
+    int wrong = 0;
 
     for (int p = 0; p < POINTS; p++) {
         double x = kw_rng_uniform(&r) * s->t[s->n];
@@ -77,9 +58,8 @@ static int look(const kw_bspline *s, tally *t)
 
         wrong += span_by_scan(&t[0], s, x) != i;
         wrong += span_by_bisection(&t[1], s, x) != i;
-        wrong += span_by_table(&t[2], s, before, x) != i;
+        wrong += span_by_table(&t[2], s, x) != i;
     }
-    free(before);
     return wrong;
 }
 

@@ -12,10 +12,10 @@ set mxtics 1
 set mytics 1
 set key top left Left reverse samplen 2.5
 plot data index "equal" using 1:2 with linespoints lw 1.8 dt 2 lc rgb RED pt 4 ps 0.7, \
-     data index "random" using 1:4 with points lc rgb GREY pt 6 ps 0.9 lw 1.5 title "random spans", \
+     data index "random" using 1:4 with points lc rgb GREY pt 6 ps 0.9 lw 1.5 title "table or bisection, random spans", \
      data index "random" using 1:3 with points lc rgb GREY pt 6 ps 0.9 lw 1.5, \
      data index "equal" using 1:3 with linespoints lw 1.8 dt 4 lc rgb GREEN pt 9 ps 0.7, \
      data index "equal" using 1:4 with linespoints lw 1.8 lc rgb BLUE pt 7 ps 0.6, \
      data index "equal" every ::5::5 using 1:2:("scan") with labels left offset 1,0, \
      data index "equal" every ::5::5 using 1:3:("bisection") with labels left offset 1,0, \
-     data index "random" every ::5::5 using 1:4:("table") with labels left offset 1,0
+     data index "equal" every ::5::5 using 1:4:("table") with labels left offset 1,0

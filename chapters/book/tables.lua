@@ -213,6 +213,11 @@ function tables.errata(book)
             local words = pandoc.utils.stringify(emph)
             book.problem("chapters/ERRATA.md", "sets `" .. words .. "' in italics by accident")
         end,
+        Code = function(code)
+            if code.text:match("'") or code.text:match("%s$") then
+                book.problem("chapters/ERRATA.md", "sets `" .. code.text .. "' as code by accident")
+            end
+        end,
         Header = function(header)
             local name = pandoc.utils.stringify(header):match("^ER%-%d+")
             return pandoc.Header(3, { pandoc.Link(with_symbols(book, header.content), "#" .. name) },

@@ -144,5 +144,5 @@ void work_refine(void *with)
 {
     const refine_work *w = with;
 
-    kw_insert_oslo(w->s, w->fine, WORK_N, w->c, w->out);
+    kw_insert_boehm_all(w->s, w->fine, WORK_N, w->c, w->out);
 }

@@ -232,6 +232,10 @@ edit $text 's/ Remark 5,//'
 defect "an item of the book that no lesson explains" chapters 'Rem 5 of the book is explained in no lesson'
 edit chapters/ERRATA.md 's/here/*here*/'
 defect "accidental italics in the errata" chapters/ERRATA.md 'here'
+edit chapters/ERRATA.md "s/here/\`here' and \`there'/"
+defect "quotes that are code by accident in the errata" chapters/ERRATA.md "here' and"
+edit chapters/ERRATA.md "s/here/the \`name \`here\`'/"
+defect "code in quotes in the errata" chapters/ERRATA.md 'name '
 edit tests/items.txt 's/Fig 4 4/Fig 4 5/'
 edit $text 's/Figure 4/Figures 4 and 5/'
 defect "an item without a line in the ledger" tests/items.txt 'Fig 5 has no line'
