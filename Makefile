@@ -196,7 +196,7 @@ outside: $(GEN) | $(FOLDERS)
 WATCHED ?= $(DRIVERS) $(TESTS)
 
 valgrind:
-	@$(MAKE) --no-print-directory -s check OPT='-O1 -g' BUILD=build/valgrind
+	@$(MAKE) --no-print-directory -s OPT='-O1 -g' BUILD=build/valgrind $(WATCHED:%=build/valgrind/bin/%)
 	@$(MAKE) --no-print-directory -s $(WATCHED:%=valgrind-%)
 	@echo "valgrind finds nothing in $(words $(WATCHED)) programs"
 

@@ -144,6 +144,9 @@ kw_active *kw_active_new(const kw_mesh *m)
         number_level(a, level, &room);
     }
     a->start[m->levels] = a->size;
+    a->flat =
+        realloc(a->flat, (size_t)a->size * sizeof *a->flat); /* no more than needed */
+    KW_NEED(a->flat, "memory for %d functions", a->size);
     return a;
 }
 

@@ -10,24 +10,24 @@ enum { K = KW_BSPLINE_DEGREE + 1 };
 
 /* --- the table of spans ---
 
-   The domain is cut into as many equal buckets as there are spans of simple knots. A point of
-   bucket b lies in one of the `candidates` spans from before[b] on, the last span that begins
-   in an earlier bucket. The bucket of a point is computed in one way alone, which never
-   decreases with x whatever the rounding, and so the table is right to the last bit. */
+   The domain is cut into equal buckets, as wide as a span is on average; those at the ends are
+   half as wide, so that with equal spans each knot lies in the middle of a bucket and each
+   bucket meets two spans, whatever the rounding. A point of bucket b lies in one of the
+   `candidates` spans from before[b] on, the last span that begins in an earlier bucket. The bucket
+   of a point is computed in one way alone, which never decreases with x, and so the table is
+   right to the last bit. */
 
 static int bucket_of(const kw_bspline *s, double x)
 {
-    int b = (int)((x - s->t[s->d]) * s->scale);
-
-    return b < s->buckets ? b : s->buckets - 1;
+    return (int)((x - s->t[s->d]) * s->scale + 0.5);
 }
 
 static void make_table(kw_bspline *s)
 {
     int *before;
 
-    s->buckets = s->n - s->d;
-    s->scale = s->buckets / (s->t[s->n] - s->t[s->d]);
+    s->buckets = s->n - s->d + 1;
+    s->scale = (s->n - s->d) / (s->t[s->n] - s->t[s->d]);
     if (!isfinite(s->scale))
         s->scale = 0; /* a domain of next to no length: one bucket is in use */
     s->before = before = kw_need_memory((size_t)s->buckets + 1, sizeof *before);

@@ -30,8 +30,8 @@ typedef struct kw_bspline {
     int n;     /* dimension */
     double *t; /* knots, n+d+1; owned */
     /* a table of where to look for the span of a point, see kw_bspline_span */
-    int buckets;    /* n - d */
-    double scale;   /* buckets / length of the domain */
+    int buckets;    /* n - d + 1 */
+    double scale;   /* (n - d) / length of the domain */
     int *before;    /* buckets + 1; owned */
     int candidates; /* spans to choose from in each bucket */
 } kw_bspline;
@@ -69,8 +69,8 @@ void kw_bspline_free(kw_bspline *s);
 /* --- knots --- */
 
 /* The span of x: t[i] <= x < t[i+1], at the right end of the domain the last span. It is looked
-   for by bisection among the few that meet the same of `buckets` equal parts of the domain, as
-   many for every point. */
+   for by bisection among the `candidates` of the part of the domain that x lies in: two if all
+   spans are equal, few if they do not differ much, at most n-d. */
 int kw_bspline_span(const kw_bspline *s, double x);
 
 /* The first span on which function j is non-zero. */

@@ -27,7 +27,7 @@ static void descend(kw_celltree *t, int node, int level, const int *cell)
     int first;
 
     if (!kw_mesh_refined(m, level, cell)) {
-        t->node[node].child = -1 - t->leaves++;
+        t->node[node] = (kw_celltree_node){.child = -1 - t->leaves++};
         return;
     }
     first = add_nodes(t, 1 << m->D); /* may move t->node */

@@ -58,9 +58,9 @@ void kw_conv_correlate(const kw_conv *l, const double *w, const double *x, doubl
 
 /* The same with every filter turned by half a turn, which makes it a convolution. With a
    filter of the size of the grid and `valid' it gives one number, that of (22). Turning an
-   even filter moves its place (A, B) to the next one, so with `same' and `circular' the result is that
-   of the usual convention, which moves (A, B) along, one place earlier: the filter (1,10)
-   takes (1,2,3) to (12,23,30), and there to (1,12,23). */
+   even filter moves its place (A, B) to the next one, so with `same' and `circular' the result
+   is that of the usual convention, which moves (A, B) along, one place earlier: the filter
+   (1,10) takes (1,2,3) to (12,23,30), and there to (1,12,23). */
 void kw_conv_convolve(const kw_conv *l, const double *w, const double *x, double *y);
 
 /* --- the layer: y = b + the correlation of x with the filters --- */

@@ -1,8 +1,9 @@
 /* curve.h -- spline curves s(x) = sum of c_j beta_j(x) in R^N.
 
    s is a space (bspline.h), c its n x N coefficients, row-major: the control point c_j is
-   c[j*N .. j*N+N-1]. N >= 1; N = 1 is a function. x lies in the domain. Points are written
-   to point[0..N-1]; nothing is allocated. [source text, (9)] */
+   c[j*N .. j*N+N-1]. N >= 1; N = 1 is a function; n x N is at most INT_MAX. x lies in the domain.
+   Points are written to point[0..N-1]. Arrays do not overlap; nothing is allocated.
+   [source text, (9)] */
 #ifndef KW_CURVE_H
 #define KW_CURVE_H
 

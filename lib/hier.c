@@ -173,18 +173,26 @@ static size_t map_bytes(const kw_map *m)
     return sizeof *m + m->room * (sizeof *m->key + sizeof *m->value);
 }
 
+static size_t space_bytes(const kw_bspline *s)
+{
+    return sizeof *s + (size_t)(s->n + s->d + 1) * sizeof *s->t +
+           (size_t)(s->buckets + 1) * sizeof *s->before;
+}
+
 static size_t mesh_bytes(const kw_mesh *m)
 {
-    size_t bytes = sizeof *m;
+    size_t bytes = sizeof *m + KW_MESH_LEVELS * sizeof *m->level;
 
     for (int l = 0; l < m->levels; l++) {
         const kw_mesh_level *level = &m->level[l];
 
-        bytes += sizeof *level + map_bytes(level->refined) +
-                 (size_t)level->room * sizeof *level->list;
-        for (int h = 0; h < m->D; h++)
-            bytes += (size_t)level->s[h]->n * (sizeof(double) + sizeof(int)) +
-                     (size_t)level->cells[h] * sizeof(int);
+        bytes += map_bytes(level->refined) + (size_t)level->room * sizeof *level->list;
+        for (int h = 0; h < m->D; h++) {
+            const kw_bspline *s = level->s[h];
+
+            bytes += space_bytes(s) + (size_t)(s->n - s->d) * sizeof *level->span[h] +
+                     (size_t)(s->n + s->d + 1) * sizeof *level->edge[h];
+        }
     }
     return bytes;
 }
@@ -194,7 +202,9 @@ size_t kw_hier_bytes(const kw_hier *b)
     const kw_active *a = b->active;
     size_t bytes = sizeof *b + sizeof *a + mesh_bytes(a->mesh);
 
-    bytes += (size_t)a->size * sizeof *a->flat;
+    bytes += (size_t)a->size * sizeof *a->flat +
+             (size_t)(a->mesh->levels + 1) * sizeof *a->start +
+             (size_t)a->mesh->levels * sizeof *a->status;
     for (int l = 0; l < a->mesh->levels; l++)
         bytes += map_bytes(a->status[l]);
     bytes += sizeof *b->tree + (size_t)b->tree->room * sizeof *b->tree->node;

@@ -2,9 +2,9 @@
 
    A finer space has the same degree and domain and, inside it, every knot of the coarse
    space at least as often. Its auxiliary knots are its own affair. Coefficients are as in
-   curve.h, n x N row-major. The functions for one row or one column, which are called
-   often, check degree and domain alone; knots that are missing are the caller's affair
-   (kw_insert_need_nested).
+   curve.h, n x N row-major; arrays do not overlap. The functions for one row or one column,
+   which are called often, check degree and domain alone; knots that are missing are the
+   caller's affair (kw_insert_need_nested).
 
    Sources: [Boehm] is Inserting new knots into B-spline curves, CAD 12 (1980); [Oslo] is
    Cohen, Lyche, Riesenfeld: Discrete B-splines and subdivision techniques, CGIP 14
@@ -28,9 +28,9 @@ kw_bspline *kw_insert_new_dyadic(const kw_bspline *s);
    kw_insert_new_knot(s, x), fine: (n+1) x N. Only d of them are new averages. */
 void kw_insert_boehm(const kw_bspline *s, double x, int N, const double *c, double *fine);
 
-/* All knots of `fine` by Boehm's rule, one after the other from left to right, in one walk: from c,
-   coarse->n x N, to out, fine->n x N; d quotients for a knot. The auxiliary knots of the two
-   spaces are the same. */
+/* All knots of `fine` by Boehm's rule, one after the other from left to right, in one walk: from
+   c, coarse->n x N, to out, fine->n x N; d quotients for a knot. The auxiliary knots of the two
+   spaces are the same. [Boehm] */
 void kw_insert_boehm_all(const kw_bspline *coarse, const kw_bspline *fine, int N,
                          const double *c, double *out);
 
@@ -41,7 +41,8 @@ void kw_insert_boehm_all(const kw_bspline *coarse, const kw_bspline *fine, int N
 int kw_insert_oslo_row(const kw_bspline *coarse, const kw_bspline *fine, int i,
                        double *alpha);
 
-/* All coefficients by the Oslo rows, whatever the auxiliary knots: from c, coarse->n x N, to out, fine->n x N. */
+/* All coefficients by the Oslo rows, whatever the auxiliary knots: from c, coarse->n x N, to out,
+   fine->n x N. [Oslo] */
 void kw_insert_oslo(const kw_bspline *coarse, const kw_bspline *fine, int N,
                     const double *c, double *out);
 

@@ -310,7 +310,7 @@ void kw_tensor_grid(const kw_tensor *g, int N, const double *c, const int *r,
     for (int h = 0; h < g->D; h++) {
         shape around = shape_around(g, N, count, h);
         size_t m = (size_t)count[h];
-        double *new = h + 1 == g->D ? point : work;
+        double *next = h + 1 == g->D ? point : work;
 
         for (size_t i = 0; i < m; i += BATCH) {
             double value[BATCH * K];
@@ -318,10 +318,10 @@ void kw_tensor_grid(const kw_tensor *g, int N, const double *c, const int *r,
 
             univariate_many(g->s[h], r ? r[h] : 0, lines, x[h] + i, first, value);
             combine_lines(around, (size_t)g->s[h]->n, m, i, lines, first, g->s[h]->d + 1,
-                          value, old, new);
+                          value, old, next);
         }
-        old = new;
-        work = new + around.outer *m *around.inner;
+        old = next;
+        work = next + m * around.outer * around.inner;
     }
 }
 
@@ -351,7 +351,7 @@ void kw_tensor_refine(const kw_tensor *g, const kw_tensor *fine, int N, const do
     for (int h = 0; h < g->D; h++) {
         shape around = shape_around(g, N, n, h);
         size_t m = (size_t)n[h];
-        double *new = h + 1 == g->D ? out : work;
+        double *next = h + 1 == g->D ? out : work;
 
         kw_insert_need_nested(g->s[h], fine->s[h]);
         for (size_t i = 0; i < m; i++) {
@@ -359,9 +359,9 @@ void kw_tensor_refine(const kw_tensor *g, const kw_tensor *fine, int N, const do
             int first = kw_insert_oslo_row(g->s[h], fine->s[h], (int)i, alpha);
 
             combine_lines(around, (size_t)g->s[h]->n, m, i, 1, &first, g->s[h]->d + 1,
-                          alpha, old, new);
+                          alpha, old, next);
         }
-        old = new;
-        work = new + around.outer *m *around.inner;
+        old = next;
+        work = next + m * around.outer * around.inner;
     }
 }

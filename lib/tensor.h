@@ -7,9 +7,9 @@
      point         x[0..D-1], in the domain, the closed box of the univariate domains
      orders        r[0..D-1] >= 0, how often to differentiate in each direction; NULL
                    stands for the value itself
-     coefficients  c, n_0 x .. x n_{D-1} x N, row-major, N >= 1
-   Nothing is allocated but by kw_tensor_new*. [source text, section 1.1, (10) with indices
-   from 0, (11)] */
+     coefficients  c, n_0 x .. x n_{D-1} x N, row-major, N >= 1, at most INT_MAX numbers
+   Arrays do not overlap. Nothing is allocated but by kw_tensor_new*.
+   [source text, section 1.1, (10) with indices from 0, (11)] */
 #ifndef KW_TENSOR_H
 #define KW_TENSOR_H
 

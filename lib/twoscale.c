@@ -13,8 +13,8 @@ void kw_twoscale_of_cell(const kw_mesh *m, int level, const int *cell, kw_twosca
         for (int half = 0; half < 2; half++) {
             int first = fine->span[h][2 * cell[h] + half] - d;
 
-            for (int f = 0; f <= d;
-                 f++) /* blossoms at the inner knots of fine functions */
+            /* blossoms at the inner knots of fine functions */
+            for (int f = 0; f <= d; f++)
                 kw_bspline_blossom_knots(coarse->s[h], span,
                                          fine->s[h]->t + first + f + 1,
                                          s->a[h][half] + f * (d + 1));

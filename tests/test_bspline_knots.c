@@ -159,6 +159,22 @@ static void uniform_spaces(void)
     }
 }
 
+/* Where spans are equal, however many, the span of a point is one of two: the knot between them
+   lies in the middle of its bucket, and no rounding moves it out. */
+static void two_candidates(void)
+{
+    for (int cells = 1; cells <= 1000; cells++) {
+        kw_bspline *s = kw_bspline_new_open_uniform(3, cells, -0.3, 1.7);
+        kw_bspline *whole = kw_bspline_new_uniform(3, cells, 0, cells);
+        int want = cells > 1 ? 2 : 1;
+
+        CHECK(s->candidates == want && whole->candidates == want,
+              "%d cells: %d and %d candidates", cells, s->candidates, whole->candidates);
+        kw_bspline_free(s);
+        kw_bspline_free(whole);
+    }
+}
+
 /* Knots are whole numbers and points multiples of 1/64, so all differences are exact, and
    the shifted function goes through the same operations: the same bits. */
 static void uniform_shifts(void)
@@ -360,6 +376,7 @@ int main(void)
                     greville_place);
     test_run("bspline: open spaces repeat the partition", open_spaces);
     test_run("bspline: uniform spaces have equal cells and exact ends", uniform_spaces);
+    test_run("bspline: of equal spans two are looked at", two_candidates);
     test_run("bspline: uniform functions are shifts of one another", uniform_shifts);
     test_run("bspline: periodic spaces repeat their knots, and beyond d",
              periodic_spaces);

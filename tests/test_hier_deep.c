@@ -111,6 +111,33 @@ static void memory_follows_the_functions(void)
     CHECK(each[1] < 2 * each[0], "%g and %g bytes a function", each[0], each[1]);
 }
 
+/* On a line of cells, what a cell more takes: a knot, with its place among the edges, in the table
+   of spans and in the list of them; a function; a leaf, which is a node with d+1 functions of
+   its own. Tables with room for more functions are left out. */
+static void memory_is_counted(void)
+{
+    enum { DEGREE = 2, FEW = 100, MANY = 1100 };
+    const size_t cell = sizeof(double) + 3 * sizeof(int) + sizeof(uint64_t) +
+                        sizeof(kw_hier_leaf) + sizeof(kw_celltree_node) +
+                        sizeof(kw_hier_own) + (DEGREE + 1) * sizeof(kw_hier_function);
+    size_t bytes[2];
+
+    for (int i = 0; i < 2; i++) {
+        kw_tensor *g = meshes_uniform(1, DEGREE, i ? MANY : FEW);
+        kw_mesh *m = kw_mesh_new(g);
+        kw_hier *b = kw_hier_new(m);
+        const kw_map *table = b->active->status[0];
+
+        bytes[i] =
+            kw_hier_bytes(b) - table->room * (sizeof *table->key + sizeof *table->value);
+        kw_hier_free(b);
+        kw_mesh_free(m);
+        kw_tensor_free(g);
+    }
+    CHECK(bytes[1] - bytes[0] == (MANY - FEW) * cell, "%zu bytes for %d cells of %zu",
+          bytes[1] - bytes[0], MANY - FEW, cell);
+}
+
 /* --- misuse --- */
 
 static kw_hier *small(void)
@@ -197,6 +224,7 @@ int main(void)
     test_run("hier: there both counts agree, and THB-splines add up to one",
              bases_are_what_they_should);
     test_run("hier: memory follows the functions", memory_follows_the_functions);
+    test_run("hier: its bytes are all counted", memory_is_counted);
     test_run("hier: indices, points and orders out of range abort", misuse_aborts);
     test_run("hier: NULL may be freed", nothing_may_be_freed);
     return test_end();

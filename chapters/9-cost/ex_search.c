@@ -23,8 +23,8 @@ enum { POINTS = 100, SIZES = 6, DEGREE = 3, WAYS = 3 };
    are halved. */
 static int span_by_table(tally *t, const kw_bspline *s, double x)
 {
-    int part = (int)((x - s->t[s->d]) * s->scale);
-    int low = s->before[part < s->buckets ? part : s->buckets - 1];
+    int part = (int)((x - s->t[s->d]) * s->scale + 0.5);
+    int low = s->before[part];
 
     for (int count = s->candidates; count > 1; count -= count / 2)
         if (!below(t, x, s->t[low + count / 2]))

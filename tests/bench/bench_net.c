@@ -46,12 +46,10 @@ int main(void)
     }
     bench_run(TASKS, task);
     printf("\ntanh nets, %d samples; tanh alone takes %.2f ns a number, multiply-adds "
-           "%.1f in a "
-           "nanosecond, fused %.1f\n",
+           "%.1f in a nanosecond, fused %.1f\n",
            WORK_BATCH, task[TANH].median, 1 / task[PLAIN].median, 1 / task[FUSED].median);
     printf("shape             forward   both ways, ns a sample   multiply-adds   of "
-           "their time "
-           "at the peak   fused\n");
+           "their time at the peak   fused\n");
     for (int i = 0; i < SHAPES; i++) {
         const bench_task *both = &task[NETS + 2 * i + 1];
         double products = net_multiply_adds(net[i]);

@@ -285,8 +285,7 @@ int main(void)
     else
         printf("GSL is not installed (libgsl-dev): no comparison with it\n");
     printf("thb-build: %d functions on %d levels; mlp: 2-64-64-1, a step of %d samples, "
-           "%.0f "
-           "multiply-adds each\n\n",
+           "%.0f multiply-adds each\n\n",
            w.built->b->active->size, BUILT_LEVELS, WORK_BATCH, net_multiply_adds(w.net));
     bench_run(gsl ? ALL : OURS, task);
     print_rows(gsl ? ALL : OURS, task);

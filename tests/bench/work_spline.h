@@ -26,12 +26,11 @@ void spline_work_free(spline_work *w);
 
 /* --- works with a spline_work: at all of its points --- */
 
-void work_basis(void *with);  /* the d+1 functions that are not zero */
-void work_curve(void *with);  /* a point of the curve */
-void work_curve2(void *with); /* the same with two derivatives */
-void work_basis2(
-    void *with); /* two directions: the (d+1)^2 functions that are not zero */
-void work_surface(void *with);
+void work_basis(void *with);   /* the d+1 functions that are not zero */
+void work_curve(void *with);   /* a point of the curve */
+void work_curve2(void *with);  /* the same with two derivatives */
+void work_basis2(void *with);  /* the (d+1)^2 functions of two directions */
+void work_surface(void *with); /* a point of the surface */
 
 /* --- the surface on a grid of WORK_GRID x WORK_GRID points --- */
 
