@@ -51,8 +51,8 @@ static void momentum(const kw_optimizer *o, const double *restrict dw, double *r
     }
 }
 
-/* The means v and s begin at zero, which is no gradient that was seen; the weights of those
-   that were add up to 1 - power, and dividing by that leaves them out. */
+/* The means v and s begin at zero, which is no gradient that was seen. The weights of
+   those that were add up to 1 - power, and dividing by that leaves the zero out. */
 static void adam(const kw_optimizer *o, const double *restrict dw, double *restrict w)
 {
     const double rate = o->rate, keep = o->momentum, keep2 = o->memory;

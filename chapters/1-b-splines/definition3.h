@@ -10,7 +10,7 @@ enum { K = 3, N = 4, SAMPLES = 48, KNOTS = N + K + 1 };
 /* For which j does the printed text say beta_{j,1}(t_{n+1}) = 1? */
 typedef enum reading { EVERY_J, J_IS_N, LAST_OF_ORDER_1, NONE, READINGS } reading;
 
-/* The weight omega_{j,k}: word for word, with 0/0 guarded, or without the condition
+/* The weight omega_{j,k}: word for word, with x/0 guarded, or without the condition
    `if x < t_{j+k-1}' (the usual form, guarded too). */
 typedef enum weight { LITERAL, GUARDED, USUAL } weight;
 

@@ -1,7 +1,7 @@
 /* Curve properties -- affine invariance and convex hulls.
 
    What to see: each span of the curve stays inside the hull of its own k control points, and
-   the hulls of two neighbouring spans share all but one point.
+   two neighbouring spans share all of these points but one.
 
    Book: section 1.1, (9), the three properties of B-spline curves.
    Claims: bs.list2.affine, bs.list2.convex, bs.list2.hull

@@ -1,7 +1,7 @@
 /* Definition 3 -- the weights omega, as printed and as they should be.
 
-   What to see: nothing to look at. Transcribed word for word the recursion divides zero by
-   zero on open knots; with 0/0 := 0 it is the library's, inside the domain. It asks for more
+   What to see: nothing to look at. Transcribed word for word the recursion divides by zero
+   on open knots; with x/0 := 0 it is the library's, inside the domain. It asks for more
    functions of order 1 than are defined, and some weights are zero everywhere.
 
    Book: section 1.1, Remark 2, Definition 3 and the text behind it.
@@ -60,7 +60,7 @@ static int count_order1(const double *t)
     return count;
 }
 
-/* The largest difference from the library on [a,b) once 0/0 counts as 0. */
+/* The largest difference from the library on [a,b) once x/0 counts as 0. */
 static double worst_guarded(const double *t)
 {
     kw_bspline *s = kw_bspline_new(K - 1, N + 1, t);

@@ -2,7 +2,7 @@
 
    What to see: (a) four cubic polynomials, each used on one span only, join to one bump so
    smoothly that no joint shows; (b) on open knots the basis of degree 1 is a row of hats
-   and that of degree 2 a row of smooth bumps, and only the first and the last function
+   and that of degree 2 a row of smooth bumps, of which only the first and the last
    reach 1, at the ends.
 
    Book: section 1.1, Definition 3.

@@ -1,8 +1,8 @@
 /* Figure 5 -- A planar and a spatial B-spline curve with their control polygons.
 
    What to see: the curve starts at the first control point, ends at the last and follows
-   the polygon in between without touching it; moving one point would move the curve on at
-   most k spans.
+   the polygon in between, past the other points; moving one point would move the curve on
+   at most k spans.
 
    Book: section 1.1, (9), Remark 5.
    Claims: bs.eq9.*, bs.fig5.*

@@ -190,7 +190,8 @@ local function number(text)
     end
     local digits = text:gsub("^%-", ""):gsub("%.", ""):gsub("^0+", "")
     if text:find("%.") and #digits > 6 then
-        text = string.format("%.4g", tonumber(text))
+        local value = tonumber(text)
+        text = string.format(math.abs(value) < 1e4 and "%.4g" or "%.0f", value)
     end
     return (text:gsub("^%-", "−"):gsub("^(%D*)(%d+)$", function(sign, all)
         return sign .. grouped(all)
