@@ -1,7 +1,7 @@
 /* Figure 14 -- One step of the realization of a multi-layer perceptron, with numbers.
 
-   What to see: what the units of layer l give goes along the edges, times their weights, and
-   is added up with the bias at each unit of layer l+1; then the activation is applied. A
+   What to see: what the units of a layer give goes along the edges, times their weights, and
+   is added up with the bias at each unit of the next layer; then the activation is applied. A
    negative sum becomes zero, and nothing flows on from that unit.
 
    Book: section 1.2, Definition 10 and Figure 14.

@@ -1,8 +1,8 @@
 /* Figure 17 -- A convolutional network with all its connections.
 
    What to see: in the convolutional layers every unit has three connections to the layer
-   before, in the fully connected layers one to each unit. Dark: all paths to the middle unit
-   of the last convolutional layer; it depends on every input.
+   before, at the ends two; in the fully connected layers one to each unit. Dark: all paths
+   to the middle unit of the last convolutional layer; it depends on every input.
 
    Book: section 1.2, Definition 11 and the text around Figure 17.
    Claims: cnn.fig17.*

@@ -65,7 +65,8 @@ function symbols.html(text)
         result[#result + 1] = more
     end
     return (table.concat(result):gsub("%-&gt;", "→"):gsub("&lt;=", "≤"):gsub("&gt;=", "≥")
-        :gsub(" %- ", " − "):gsub(" %.%. ", " … "):gsub(", %.%.,", ", …,"):gsub("`(.-)'", "‘%1’"):gsub("(%a)'(%l)", "%1’%2")
+        :gsub(" %- ", " − "):gsub(" %.%. ", " … "):gsub(", %.%.,", ", …,")
+        :gsub("`(.-)'", "‘%1’"):gsub("(%a)'(%l)", "%1’%2")
         :gsub("%+%-", "±"):gsub("(%w) x %f[%d%u]", "%1 × "):gsub(" %. ", " · "):gsub("([%s({])%-(%d)", "%1−%2"))
 end
 
