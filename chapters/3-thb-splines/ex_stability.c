@@ -1,7 +1,7 @@
 /* Stability -- condition numbers of the two bases as levels are added.
 
    What to see: refined again and again around one point, the HB basis gets worse with every
-   level, if by smaller and smaller factors; the THB basis grows less and soon hardly at all. On
+   level, if by smaller and smaller factors; the THB basis does so less and soon hardly at all. On
    the square the fine functions are few among all, and less is at stake.
 
    Book: section 1.1, the properties of THB-splines in front of (15).

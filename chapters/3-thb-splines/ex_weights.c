@@ -1,8 +1,8 @@
 /* Weights -- the numbers with which HB-splines add up to one.
 
-   What to see: such numbers exist on every mesh, there is one choice only, and none is negative; but
-   on the small meshes shown some are zero, so that the scaled functions are fewer than a basis
-   needs.
+   What to see: weights that bring the sum to one exist on every mesh, there is one choice only,
+   and none is negative; but on the small meshes shown some are zero, so that the scaled functions
+   are fewer than a basis needs.
 
    Book: section 1.1, the text behind Figure 9.
    Claims: hb.weights.*, thb.eq19.level

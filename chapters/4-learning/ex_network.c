@@ -54,8 +54,8 @@ static void free_dag(dag *g)
 }
 
 /* Puts the vertices into an order in which every edge leads forward, and returns how many
-   there are in it: all of them, unless there is a cycle. A vertex is next if no edge is left that
-   leads to it. [Kahn: Topological sorting of large networks, 1962] */
+   there are in it: all of them, unless there is a cycle. A vertex is next if no edge
+   is left that leads to it. [Kahn: Topological sorting of large networks, 1962] */
 static int sort(const dag *g, int *order)
 {
     int *incoming = kw_need_memory((size_t)g->vertices, sizeof *incoming);

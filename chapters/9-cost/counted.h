@@ -98,8 +98,8 @@ static inline double basis_by_definition(tally *t, const kw_bspline *s, int i, i
     return value;
 }
 
-/* From the p functions of degree p-1 that are not zero on span i, value[0..p-1], to the p+1 of
-   degree p: each of the former is used twice. */
+/* From the p functions of degree p-1 that are not zero on span i, value[0..p-1], to
+   the p+1 of degree p: each of the former is used twice. */
 static inline void raise_degree(tally *t, const kw_bspline *s, int i, int p, double x,
                                 double *value)
 {
