@@ -1,9 +1,8 @@
-/* call.c -- the command line of a family, and the text that names a set. */
+/* call.c -- the command line of a family: its options, read and explained. */
 #include "gen.h"
 #include "need.h"
 #include "set.h"
-#include <errno.h>
-#include <stdarg.h>
+#include "value.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,84 +42,6 @@ static const struct option {
     [OUT] = {"--out", NULL, "the folder of the set; needed"},
 };
 
-/* --- numbers and words --- */
-
-static int read_integer(const char *name, const char *text, uint64_t most,
-                        uint64_t *value)
-{
-    char *end;
-
-    KW_NEED(text, "%s has no value", name);
-    errno = 0;
-    *value = strtoull(text, &end, 10);
-    if (*text < '0' || *text > '9' || *end != 0)
-        return gen_say(GEN_BAD_CALL, "%s is `%s', not an integer from 0 on", name, text);
-    if (errno == ERANGE || *value > most)
-        return gen_say(GEN_BAD_CALL, "%s is %s, more than %llu", name, text,
-                       (unsigned long long)most);
-    return GEN_GOOD;
-}
-
-/* The place of `word` in a list of words separated by blanks; -1 if it is not there. */
-static int find_word(const char *list, const char *word, size_t length)
-{
-    for (int place = 0; *list; place++) {
-        size_t here = strcspn(list, " ");
-
-        if (here == length && strncmp(list, word, length) == 0)
-            return place;
-        list += here + (list[here] == ' ');
-    }
-    return -1;
-}
-
-static int in_bounds(const gen_parameter *p, const char *text, double value)
-{
-    if (p->least <= value && value <= p->most)
-        return GEN_GOOD;
-    return gen_say(GEN_BAD_CALL, "%s is %s, not within %.10g .. %.10g", p->name, text,
-                   p->least, p->most);
-}
-
-/* A number at the beginning of `text`; what comes behind it is at *end. */
-static int read_number(const gen_parameter *p, const char *text, char **end,
-                       double *value)
-{
-    size_t length = strspn(text, p->kind == GEN_REAL ? "+-.0123456789eE" : "0123456789");
-
-    *value = strtod(text, end);
-    if (*end == text || *end > text + length)
-        return gen_say(GEN_BAD_CALL, "%s has `%s' in place of %s", p->name, text,
-                       p->kind == GEN_REAL ? "a number" : "an integer");
-    *value += 0; /* -0 becomes 0: the bytes differ, and the text of the call would not */
-    return in_bounds(p, text, *value);
-}
-
-static int read_value(const gen_parameter *p, const char *text, double *low, double *high)
-{
-    char *end;
-    int status;
-
-    if (p->kind == GEN_WORD) {
-        *low = *high = find_word(p->words, text, strlen(text));
-        return *low >= 0 ? GEN_GOOD
-                         : gen_say(GEN_BAD_CALL, "%s is `%s', none of: %s", p->name, text,
-                                   p->words);
-    }
-    status = read_number(p, text, &end, low);
-    *high = *low;
-    if (status == GEN_GOOD && p->kind == GEN_RANGE && *end == '-')
-        status = read_number(p, end + 1, &end, high);
-    if (status != GEN_GOOD)
-        return status;
-    if (*end != 0)
-        return gen_say(GEN_BAD_CALL, "%s is `%s', with `%s' behind the number", p->name,
-                       text, end);
-    if (*low > *high)
-        return gen_say(GEN_BAD_CALL, "%s is `%s', from more to less", p->name, text);
-    return GEN_GOOD;
-}
-
 /* --- formats --- */
 
 const char *gen_format_name(const gen_call *c, int format)
@@ -143,6 +64,7 @@ static int find_format(const gen_call *c, const char *word, size_t length)
 
 static int read_formats(gen_call *c, const char *text)
 {
+    KW_NEED(text, "--format has no value");
     for (const char *at = text;; at++) {
         size_t length = strcspn(at, ",");
         int f = find_format(c, at, length);
@@ -201,11 +123,11 @@ static int read_splits(gen_call *c, const words *w)
 {
     uint64_t *part = c->part;
 
-    if (read_integer("--first", w->option[FIRST], MOST - 1, &c->first) != GEN_GOOD ||
-        read_integer("--count", w->option[COUNT], MOST, &c->count) != GEN_GOOD ||
-        read_integer("--validation", w->option[VALIDATION], MOST,
-                     &part[GEN_VALIDATION]) != GEN_GOOD ||
-        read_integer("--test", w->option[TEST], MOST, &part[GEN_TEST]) != GEN_GOOD)
+    if (gen_value_integer("--first", w->option[FIRST], MOST - 1, &c->first) != GEN_GOOD ||
+        gen_value_integer("--count", w->option[COUNT], MOST, &c->count) != GEN_GOOD ||
+        gen_value_integer("--validation", w->option[VALIDATION], MOST,
+                          &part[GEN_VALIDATION]) != GEN_GOOD ||
+        gen_value_integer("--test", w->option[TEST], MOST, &part[GEN_TEST]) != GEN_GOOD)
         return GEN_BAD_CALL;
     if (c->count == 0)
         return gen_say(GEN_BAD_CALL, "--count is 0; a set has at least one sample");
@@ -226,13 +148,14 @@ static int read_shards(gen_call *c, const words *w)
 {
     uint64_t shards, shard = 0, jobs;
 
-    if (read_integer("--shards", w->option[SHARDS], MOST_SHARDS, &shards) != GEN_GOOD ||
-        read_integer("--jobs", w->option[JOBS], GEN_JOBS, &jobs) != GEN_GOOD)
+    if (gen_value_integer("--shards", w->option[SHARDS], MOST_SHARDS, &shards) !=
+            GEN_GOOD ||
+        gen_value_integer("--jobs", w->option[JOBS], GEN_JOBS, &jobs) != GEN_GOOD)
         return GEN_BAD_CALL;
     if (shards == 0 || jobs == 0)
         return gen_say(GEN_BAD_CALL, "%s is 0", shards == 0 ? "--shards" : "--jobs");
     if (w->option[SHARD] &&
-        read_integer("--shard", w->option[SHARD], MOST_SHARDS, &shard) != GEN_GOOD)
+        gen_value_integer("--shard", w->option[SHARD], MOST_SHARDS, &shard) != GEN_GOOD)
         return GEN_BAD_CALL;
     if (shard >= shards)
         return gen_say(GEN_BAD_CALL, "--shard %s of --shards %s: they count from 0",
@@ -254,86 +177,12 @@ static int read_parameters(gen_call *c, const words *w)
 
     for (int p = 0; p < GEN_PARAMETERS && parameter[p].name; p++) {
         const char *text = w->parameter[p] ? w->parameter[p] : parameter[p].standard;
-        int status = read_value(&parameter[p], text, &c->low[p], &c->high[p]);
+        int status = gen_value_read(&parameter[p], text, &c->low[p], &c->high[p]);
 
         if (status != GEN_GOOD)
             return status;
     }
     return c->family->check ? c->family->check(c) : GEN_GOOD;
-}
-
-/* --- the text of a call --- */
-
-static void append(gen_call *c, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-static void append(gen_call *c, const char *format, ...)
-{
-    size_t length = strlen(c->text);
-    va_list values;
-
-    va_start(values, format);
-    vsnprintf(c->text + length, sizeof c->text - length, format, values);
-    va_end(values);
-}
-
-/* The fewest digits that give back the same number. */
-static void append_number(gen_call *c, double value)
-{
-    char text[40];
-
-    if (value == (int)value) {
-        append(c, "%d", (int)value);
-        return;
-    }
-    for (int digits = 1; digits <= 17; digits++) {
-        snprintf(text, sizeof text, "%.*g", digits, value);
-        if (strtod(text, NULL) == value)
-            break;
-    }
-    append(c, "%s", text);
-}
-
-static void append_word(gen_call *c, const char *list, int place)
-{
-    for (; place > 0; place--)
-        list += strcspn(list, " ") + 1;
-    append(c, "%.*s", (int)strcspn(list, " "), list);
-}
-
-static void append_parameter(gen_call *c, int p)
-{
-    const gen_parameter *parameter = &c->family->parameter[p];
-
-    append(c, " %s ", parameter->name);
-    if (parameter->kind == GEN_WORD) {
-        append_word(c, parameter->words, (int)c->low[p]);
-        return;
-    }
-    append_number(c, c->low[p]);
-    if (c->high[p] > c->low[p]) {
-        append(c, "-");
-        append_number(c, c->high[p]);
-    }
-}
-
-static void write_text(gen_call *c)
-{
-    const char *comma = "";
-
-    append(c,
-           "gen %s --seed %llu --first %llu --count %llu --validation %llu --test %llu",
-           c->family->name, (unsigned long long)c->seed, (unsigned long long)c->first,
-           (unsigned long long)c->count, (unsigned long long)c->part[GEN_VALIDATION],
-           (unsigned long long)c->part[GEN_TEST]);
-    append(c, " --shards %d --format ", c->shards);
-    for (int f = 0; f < GEN_FORMATS; f++)
-        if (c->format[f]) {
-            append(c, "%s%s", comma, gen_format_name(c, f));
-            comma = ",";
-        }
-    for (int p = 0; p < GEN_PARAMETERS && c->family->parameter[p].name; p++)
-        append_parameter(c, p);
 }
 
 /* --- reading a call --- */
@@ -343,12 +192,12 @@ static int read_call(gen_call *c, const gen_family *family, int count, char *con
 {
     *c = (gen_call){.family = family};
     if (sort_words(family, count, word, w) != GEN_GOOD ||
-        read_integer("--seed", w->option[SEED], UINT64_MAX, &c->seed) != GEN_GOOD ||
+        gen_value_integer("--seed", w->option[SEED], UINT64_MAX, &c->seed) != GEN_GOOD ||
         read_splits(c, w) != GEN_GOOD || read_shards(c, w) != GEN_GOOD ||
         read_formats(c, w->option[FORMAT]) != GEN_GOOD ||
         read_parameters(c, w) != GEN_GOOD)
         return GEN_BAD_CALL;
-    write_text(c);
+    gen_call_write_text(c);
     return GEN_GOOD;
 }
 
@@ -407,7 +256,7 @@ int gen_is_standard(const gen_call *c, int p)
     const gen_parameter *parameter = &c->family->parameter[p];
     double low, high;
 
-    return read_value(parameter, parameter->standard, &low, &high) == GEN_GOOD &&
+    return gen_value_read(parameter, parameter->standard, &low, &high) == GEN_GOOD &&
            low == c->low[p] && high == c->high[p];
 }
 

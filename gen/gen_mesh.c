@@ -52,13 +52,7 @@ const gen_family gen_family_mesh = {
     .stream = 7,
     .parameter =
         {
-            [HIER_DIM] = {"--dim", GEN_WHOLE, "2", 1, 3, NULL, "directions"},
-            [HIER_DEGREE] = {"--degree", GEN_WHOLE, "2", 1, 5, NULL, "in all directions"},
-            [HIER_CELLS] = {"--cells", GEN_WHOLE, "8", 1, 64, NULL,
-                            "of level 0, a direction"},
-            [HIER_LEVELS] = {"--levels", GEN_WHOLE, "3", 1, 10, NULL, "at most"},
-            [HIER_KIND] = {"--kind", GEN_WORD, "boxes", 0, 0,
-                           "diagonal boxes front scattered", "where it is refined"},
+            HIER_FIRST_PARAMETERS,
         },
     .format = {"mesh", "xml", "vtu"},
     .check = hierset_check,

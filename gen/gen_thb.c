@@ -162,13 +162,7 @@ const gen_family gen_thb = {
     .stream = 8,
     .parameter =
         {
-            [HIER_DIM] = {"--dim", GEN_WHOLE, "2", 1, 3, NULL, "directions"},
-            [HIER_DEGREE] = {"--degree", GEN_WHOLE, "2", 1, 5, NULL, "in all directions"},
-            [HIER_CELLS] = {"--cells", GEN_WHOLE, "8", 1, 64, NULL,
-                            "of level 0, a direction"},
-            [HIER_LEVELS] = {"--levels", GEN_WHOLE, "3", 1, 10, NULL, "at most"},
-            [HIER_KIND] = {"--kind", GEN_WORD, "boxes", 0, 0,
-                           "diagonal boxes front scattered", "where it is refined"},
+            HIER_FIRST_PARAMETERS,
             [BASIS] = {"--basis", GEN_WORD, "thb", 0, 0, "thb hb", "the functions"},
             [POINTS_OF] = {"--points", GEN_WHOLE, "1000", 1, 1000000, NULL, "points"},
             [HEIGHT] = {"--height", GEN_REAL, "1", 0, 1000, NULL, "of level 0, at most"},

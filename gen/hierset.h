@@ -10,6 +10,21 @@
 enum { HIER_DIM, HIER_DEGREE, HIER_CELLS, HIER_LEVELS, HIER_KIND, HIER_PARAMETERS };
 enum { HIER_COUNTS, HIER_PER_LEVEL, HIER_ACTIVE, HIER_ARRAYS };
 
+/* What gen --help and the reader of calls know of these parameters: the first rows of
+   gen_family.parameter. */
+#define HIER_FIRST_PARAMETERS                                                            \
+    [HIER_DIM] = {"--dim", GEN_WHOLE, "2", 1, 3, NULL, "directions"},                    \
+    [HIER_DEGREE] = {"--degree", GEN_WHOLE, "2", 1, 5, NULL, "in all directions"},       \
+    [HIER_CELLS] = {"--cells", GEN_WHOLE, "8", 1, 64, NULL, "of level 0, a direction"},  \
+    [HIER_LEVELS] = {"--levels", GEN_WHOLE, "3", 1, 10, NULL, "at most"},                \
+    [HIER_KIND] = {"--kind",                                                             \
+                   GEN_WORD,                                                             \
+                   "boxes",                                                              \
+                   0,                                                                    \
+                   0,                                                                    \
+                   "diagonal boxes front scattered",                                     \
+                   "where it is refined"}
+
 int hierset_check(const gen_call *c);
 
 /* Adds the first arrays; `more` are further columns of `counts`. */

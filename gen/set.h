@@ -106,6 +106,9 @@ int gen_call_read(gen_call *c, const gen_family *family, int count, char *const 
 /* The same from the text of a call, as it stands in a file; `path` is for the message. */
 int gen_call_read_text(gen_call *c, const char *text, const char *path);
 
+/* Writes c->text, from all that was read. */
+void gen_call_write_text(gen_call *c);
+
 /* The help of a family. */
 void gen_call_help(const gen_family *family);
 

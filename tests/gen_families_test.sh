@@ -9,13 +9,8 @@
 # shellcheck disable=SC2016  # awk's dollars, on purpose
 set -u
 
-gen=$(cd "${BUILD:-build}/bin" && pwd)/gen
-place=$(mktemp -d) || exit 1
-trap 'rm -rf "$place"' EXIT
-said=$place/said
-# shellcheck source=tests/result.inc
-. tests/result.inc
-cd "$place" || exit 1
+# shellcheck source=tests/gen.inc
+. tests/gen.inc
 
 # make FAMILY OPTION ... -- a set of that name in the folder `set`; no table has two columns of one name
 make() {

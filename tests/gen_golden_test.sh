@@ -4,14 +4,9 @@
 # RUN what runs them if they are for another machine.
 set -u
 
-gen=$(cd "${BUILD:-build}/bin" && pwd)/gen
 golden=$PWD/tests/gen_golden.txt
-place=$(mktemp -d) || exit 1
-trap 'rm -rf "$place"' EXIT
-said=$place/said
-# shellcheck source=tests/result.inc
-. tests/result.inc
-cd "$place" || exit 1
+# shellcheck source=tests/gen.inc
+. tests/gen.inc
 
 while read -r sum options; do
     # shellcheck disable=SC2086  # lists of words

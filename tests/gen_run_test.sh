@@ -3,13 +3,8 @@
 # a terminal alone. Runs in the folder of the Makefile; BUILD is the folder of the programs.
 set -u
 
-gen=$(cd "${BUILD:-build}/bin" && pwd)/gen
-place=$(mktemp -d) || exit 1
-trap 'rm -rf "$place"' EXIT
-said=$place/said
-# shellcheck source=tests/result.inc
-. tests/result.inc
-cd "$place" || exit 1
+# shellcheck source=tests/gen.inc
+. tests/gen.inc
 
 # --- memory: that of the largest sample, however many there are ---
 # bounded OPTIONS -- the call needs less than 64 MB, all of it counted

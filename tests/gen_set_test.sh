@@ -3,13 +3,8 @@
 # Runs in the folder of the Makefile; BUILD is the folder of the programs.
 set -u
 
-gen=$(cd "${BUILD:-build}/bin" && pwd)/gen
-place=$(mktemp -d) || exit 1
-trap 'rm -rf "$place"' EXIT
-said=$place/said
-# shellcheck source=tests/result.inc
-. tests/result.inc
-cd "$place" || exit 1
+# shellcheck source=tests/gen.inc
+. tests/gen.inc
 families=$("$gen" --help | awk '/^Families/ { on = 1; next } /^$/ { on = 0 } on { print $1 }')
 
 # call ARGUMENT ... -- runs gen; its status is in $status, its words in out and err

@@ -12,7 +12,7 @@ said=$place/out
 . "$root/tests/result.inc"
 cd "$place" || exit 1
 
-note='for a < b, beta_{j,k} .. (x-1)_+^2 in kw_mesh_new, bs.tau 3u^3 <= 2^-53'
+note="for a < b, beta_{j,k} .. (x-1)_+^2 in kw_mesh_new, bs.tau 3u^3 <= 2^-53, w . P +-1 on 8 x 9, the book's (-3/4)"
 
 blank=$(printf '\342\200\257') # narrow, does not break
 
@@ -36,7 +36,7 @@ good() {
     claim a.none none - - 'Rem 5'
     claim a.real real - 0.70710678118654752 'Text 1'
     claim a.small max - -4.8e-15 'Text 1'
-    claim a.range range - 0..1.5 'Text 1'
+    claim a.range range 487049.58 0..1.5 'Text 1'
     printf '# Errata\n\n## ER-09. A typo\n\n- Place: here, t_{n+1} = .. = t_{n+k},\n  a -> b\n- Ledger: a.off\n- Shown by: ex_one\n' \
         >chapters/ERRATA.md
     printf 'Def 3 3\nRem 5 5\nEq 10 10\nFig 4 4\n' >tests/items.txt
@@ -144,6 +144,7 @@ has "a word for a zero" '<a class="ours" href="#claim-a.zero" title="a.zero: com
 has "a long number is cut" '>0.7071</a>'
 has "a small number has a power of ten" '>−4.8·10<sup>−15</sup></a>'
 has "large numbers in groups of three" "count: <b>−20${blank}000</b>; printed 1${blank}234${blank}567."
+has "a long number above ten thousand is whole" "printed 487${blank}050"
 has "a range" '>0 to 1.5</a>'
 has "a function with its comment and its lines" '<code>twice</code>, <a href="#lib/twice.c">lib/twice.c</a>, lines 3 to 8<'
 lacks "no other function" 'id="cb2"'
@@ -162,7 +163,7 @@ has "a verdict: corrected" '<td class="corrected">corrected: <a href="#ER-09">ER
 has "a verdict: reproduced" '<td class="reproduced">reproduced</td>'
 has "a verdict: under a stated reading" '<td class="reproduced">reproduced under a stated reading</td>'
 has "a verdict: not computable" '<td class="not"><a href="#claim-a.none">not computable</a></td>'
-has "a note in symbols" 'for a &lt; b, β<sub>j,k</sub> … (x-1)<sub>+</sub><sup>2</sup> in kw_mesh_new, bs.tau 3u<sup>3</sup> ≤ 2<sup>−53</sup>'
+has "a note in symbols" 'for a &lt; b, β<sub>j,k</sub> … (x-1)<sub>+</sub><sup>2</sup> in kw_mesh_new, bs.tau 3u<sup>3</sup> ≤ 2<sup>−53</sup>, w · P ±1 on 8 × 9, the book’s (−3/4)'
 has "an erratum in symbols" 'here, t<sub>n+1</sub> = … = t<sub>n+k</sub>, a → b'
 has "an erratum's claims" 'Ledger: <a href="#claim-a.off">a.off</a>'
 lacks "no script" '<script'

@@ -8,15 +8,10 @@ set -u
 readme=$PWD/README.md
 outside=$PWD/tests/outside
 schema=$outside/datapackage.schema.json
-gen=$(cd "${BUILD:-build}/bin" && pwd)/gen
 python=${PYTHON:-/usr/bin/python3} # the one that Debian's packages are for
 [ -x "$python" ] || python=python3
-place=$(mktemp -d) || exit 1
-trap 'rm -rf "$place"' EXIT
-said=$place/said
-# shellcheck source=tests/result.inc
-. tests/result.inc
-cd "$place" || exit 1
+# shellcheck source=tests/gen.inc
+. tests/gen.inc
 
 # Is the command there, or the module of Python? If not, one word.
 has() {
