@@ -163,7 +163,7 @@ has "a verdict: corrected" '<td class="corrected">corrected: <a href="#ER-09">ER
 has "a verdict: reproduced" '<td class="reproduced">reproduced</td>'
 has "a verdict: under a stated reading" '<td class="reproduced">reproduced under a stated reading</td>'
 has "a verdict: not computable" '<td class="not"><a href="#claim-a.none">not computable</a></td>'
-has "a note in symbols" 'for a &lt; b, β<sub>j,k</sub> … (x-1)<sub>+</sub><sup>2</sup> in kw_mesh_new, bs.tau 3u<sup>3</sup> ≤ 2<sup>−53</sup>, w · P ±1 on 8 × 9, the book’s (−3/4)'
+has "a note in symbols" 'for a &lt; b, β<sub>j,k</sub> … (x-1)<sub>+</sub><sup>2</sup> in kw_mesh_new, bs.tau 3u<sup>3</sup> ≤ 2<sup>−53</sup>, w · P ±1 on 8 × 9, '"the book’s (−3/4)"
 has "an erratum in symbols" 'here, t<sub>n+1</sub> = … = t<sub>n+k</sub>, a → b'
 has "an erratum's claims" 'Ledger: <a href="#claim-a.off">a.off</a>'
 lacks "no script" '<script'
