@@ -10,7 +10,7 @@
 
 #define SQUARE "degree 2 2\nknots 0 0 0 1 2 3 4 4 4\nknots 0 0 0 1 2 3 4 4 4\n"
 
-enum { MESHES = 30, MANY = 1000000 };
+enum { MESHES = 30 };
 
 /* A path for a file of this program; the caller frees nothing. */
 static const char *path_of(const char *name)
@@ -166,59 +166,6 @@ static void a_mesh_needs_no_refine_line(void)
     kw_mesh_free(three);
 }
 
-/* As many lines as a program may write that refines cell by cell. */
-static void a_million_lines_are_read(void)
-{
-    const char *path = path_of("million");
-    FILE *f = fopen(path, "wb");
-    char message[KW_MESHFILE_MESSAGE];
-    kw_mesh *m;
-
-    KW_NEED(f, "%s", path);
-    fputs(SQUARE, f);
-    for (int i = 0; i < MANY; i++) {
-        int level = i % 3, at = i % ((4 << level) - 1);
-
-        fprintf(f, "refine %d  %d %d  %d %d\n", level, at, at, at + 2, at + 2);
-    }
-    fclose(f);
-    m = kw_meshfile_read(path, message);
-    CHECK(m, "%s", message);
-    CHECK(m && m->levels == 4, "%d levels", m ? m->levels : 0);
-    kw_mesh_free(m);
-    unlink(path);
-}
-
-/* 10^6 boxes of 9 x 9 of 256 x 256 cells: each cell is named a thousand times. */
-static void a_million_boxes_may_overlap(void)
-{
-    const char *path = path_of("overlap");
-    FILE *f = fopen(path, "wb");
-    char message[KW_MESHFILE_MESSAGE];
-    kw_mesh *m;
-
-    KW_NEED(f, "%s", path);
-    fputs("degree 0 0\n", f);
-    for (int h = 0; h < 2; h++) {
-        fputs("knots", f);
-        for (int i = 0; i <= 256; i++)
-            fprintf(f, " %d", i);
-        fputs("\n", f);
-    }
-    for (int i = 0; i < MANY; i++) {
-        int a = i % 248, b = i / 248 % 248;
-
-        fprintf(f, "refine 0  %d %d  %d %d\n", a, b, a + 9, b + 9);
-    }
-    fclose(f);
-    m = kw_meshfile_read(path, message);
-    CHECK(m, "%s", message);
-    CHECK(m && kw_mesh_active(m, 1) == 4 * 256 * 256, "%lld cells",
-          m ? kw_mesh_active(m, 1) : 0);
-    kw_mesh_free(m);
-    unlink(path);
-}
-
 /* --- what is not --- */
 
 /* Files that cannot be read or written. */
@@ -295,9 +242,6 @@ int main(void)
              the_example_is_read);
     test_run("meshfile: boxes are cut to the domain of their level", boxes_are_cut);
     test_run("meshfile: nothing needs to be refined", a_mesh_needs_no_refine_line);
-    test_run("meshfile: a million lines are read", a_million_lines_are_read);
-    test_run("meshfile: a million boxes that overlap are read",
-             a_million_boxes_may_overlap);
     test_run("meshfile: a missing file and a directory are refused with the reason",
              no_such_file);
     test_run("meshfile: files that are empty or no text are refused",
