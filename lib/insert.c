@@ -1,6 +1,7 @@
 #include "insert.h"
 #include "combine.h"
 #include "need.h"
+#include "recursion.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -89,19 +90,37 @@ void kw_insert_need_nested(const kw_bspline *coarse, const kw_bspline *fine)
     }
 }
 
+/* out = w after + (1-w) before, N numbers each; out may be `after`. Pairs keep compilers from
+   putting the end of one coefficient and the beginning of the next into one register: what has
+   just been stored as two is slow to load as one. */
+static inline void average(int N, double w, const double *after, const double *before,
+                           double *out)
+{
+    int a = 0;
+
+    for (; a + 2 <= N; a += 2) {
+        kw_pair x, y;
+
+        memcpy(&x, after + a, sizeof x);
+        memcpy(&y, before + a, sizeof y);
+        x = w * x + (1 - w) * y;
+        memcpy(out + a, &x, sizeof x);
+    }
+    if (a < N)
+        out[a] = w * after[a] + (1 - w) * before[a];
+}
+
 /* Boehm's rule for a knot x. t and f are the last knot before x and the coefficient with its
    number, from there on to the left those of the space that has all knots before x; right[0] is
    the first knot after x. f[1] becomes f[0], and that and the d-1 before it become averages. */
 static inline void insert_next(int d, int N, const double *t, const double *right,
-                               double x, double *restrict f)
+                               double x, double *f)
 {
-    for (int a = 0; a < N; a++)
-        f[N + a] = f[a];
+    memcpy(f + N, f, (size_t)N * sizeof *f);
     for (int j = 0; j > -d; j--) {
         double w = (x - t[j]) / (right[j + d - 1] - t[j]);
 
-        for (int a = 0; a < N; a++)
-            f[j * N + a] = w * f[j * N + a] + (1 - w) * f[(j - 1) * N + a];
+        average(N, w, f + j * N, f + (j - 1) * N, f + j * N);
     }
 }
 
@@ -117,8 +136,8 @@ static inline void insert_all(int d, int N, const kw_bspline *coarse,
             insert_next(d, N, t + i - 1, next, t[i], out + (i - 1) * N);
             continue;
         }
-        for (int a = 0; a < N; a++)
-            out[i * N + a] = *c++;
+        memcpy(out + i * N, c, (size_t)N * sizeof *c);
+        c += N;
         next++;
     }
     KW_NEED(next == coarse->t + coarse->n,
