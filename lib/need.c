@@ -1,7 +1,9 @@
 #include "need.h"
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 void kw_need_failed(const char *file, int line, const char *condition, const char *format,
                     ...)
@@ -22,4 +24,15 @@ void *kw_need_memory(size_t count, size_t size)
 
     KW_NEED(p, "memory for %zu objects of %zu bytes", count, size);
     return p;
+}
+
+double *kw_need_numbers(size_t count)
+{
+    enum { LINE = 64 }; /* bytes; where lines are longer, half of one is as good */
+    size_t lines = count / (LINE / sizeof(double)) + 1;
+    double *a = lines <= SIZE_MAX / LINE ? aligned_alloc(LINE, lines * LINE) : NULL;
+
+    KW_NEED(a, "memory for %zu numbers", count);
+    memset(a, 0, lines * LINE);
+    return a;
 }

@@ -23,4 +23,8 @@ _Noreturn void kw_need_failed(const char *file, int line, const char *condition,
    number of bytes if there is no memory for them. Never NULL, even for count 0. */
 void *kw_need_memory(size_t count, size_t size);
 
+/* The same for `count` numbers, from the beginning of a line of the processor's cache on: no
+   vector of them then lies across two lines. For what is read again and again. */
+double *kw_need_numbers(size_t count);
+
 #endif

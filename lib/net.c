@@ -152,11 +152,11 @@ kw_net_work *kw_net_work_new(const kw_net *n, int count)
     for (int l = 0; l + 1 < n->layers; l++) {
         size_t size = (size_t)count * (size_t)n->layer[l].out;
 
-        k->value[l] = kw_need_memory(size, sizeof(double));
+        k->value[l] = kw_need_numbers(size);
         widest = size > widest ? size : widest;
     }
     for (int i = 0; i < 2; i++)
-        k->derivative[i] = kw_need_memory(widest, sizeof(double));
+        k->derivative[i] = kw_need_numbers(widest);
     return k;
 }
 

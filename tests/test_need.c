@@ -72,13 +72,31 @@ static void memory_is_zero(void)
     }
 }
 
+static void numbers_begin_a_line(void)
+{
+    for (size_t count = 1; count < 5000; count = 3 * count + 1) {
+        double *a = kw_need_numbers(count);
+        int dirty = 0;
+
+        CHECK((uintptr_t)a % 64 == 0, "%zu numbers at %p", count, (void *)a);
+        for (size_t i = 0; i < count; i++) {
+            dirty += a[i] != 0;
+            a[i] = 1;
+        }
+        CHECK(dirty == 0, "%d of %zu numbers", dirty, count);
+        free(a);
+    }
+}
+
 static void no_memory_is_a_pointer_too(void)
 {
     void *none = kw_need_memory(0, 8), *empty = kw_need_memory(8, 0);
+    double *no_number = kw_need_numbers(0);
 
-    CHECK(none && empty, "%p and %p", none, empty);
+    CHECK(none && empty && no_number, "%p, %p and %p", none, empty, (void *)no_number);
     free(none);
     free(empty);
+    free(no_number);
 }
 
 /* more than the address space; the product does not overflow */
@@ -93,6 +111,17 @@ static void ask_for_an_overflow(void)
     free(kw_need_memory(SIZE_MAX / 8 + 2, 8));
 }
 
+/* numbers whose bytes overflow a size_t, and some that do not */
+static void ask_for_too_many_numbers(void)
+{
+    free(kw_need_numbers(SIZE_MAX / 4));
+}
+
+static void ask_for_many_numbers(void)
+{
+    free(kw_need_numbers(SIZE_MAX / 16));
+}
+
 static void absurd_sizes_abort(void)
 {
     char text[100];
@@ -101,6 +130,10 @@ static void absurd_sizes_abort(void)
     test_aborts(text, ask_for_too_much);
     snprintf(text, sizeof text, "memory for %zu objects of 8 bytes", SIZE_MAX / 8 + 2);
     test_aborts(text, ask_for_an_overflow);
+    snprintf(text, sizeof text, "memory for %zu numbers", SIZE_MAX / 4);
+    test_aborts(text, ask_for_too_many_numbers);
+    snprintf(text, sizeof text, "memory for %zu numbers", SIZE_MAX / 16);
+    test_aborts(text, ask_for_many_numbers);
 }
 
 /* Under the address sanitizer an absurd size shall be NULL as it is without. */
@@ -118,6 +151,7 @@ int main(void)
     test_run("need: a range check catches NaN", a_range_check_catches_nan);
     test_run("need: the condition is evaluated once", a_met_need_costs_one_look);
     test_run("need: memory is zero", memory_is_zero);
+    test_run("need: numbers begin a line of the cache", numbers_begin_a_line);
     test_run("need: no memory is a pointer too", no_memory_is_a_pointer_too);
     test_run("need: an absurd size aborts with the number", absurd_sizes_abort);
     return test_end();
