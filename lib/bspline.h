@@ -123,7 +123,7 @@ void kw_bspline_blossom_knots(const kw_bspline *s, int i, const double *u, doubl
 double kw_bspline_one(const kw_bspline *s, int j, int r, double x);
 
 /* --- many points: x[0..count-1], count >= 0, results one after the other, nothing
-   allocated; the same bits as one by one, in less time --- */
+   allocated; the same bits as one by one, local functions in less time --- */
 
 /* span: count. */
 void kw_bspline_span_many(const kw_bspline *s, int count, const double *x, int *span);

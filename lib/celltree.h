@@ -2,7 +2,8 @@
 
    Its nodes are the cells of level 0, in the order of their flat indices, and below each
    refined cell its 2^D halves. The leaves are the active cells, counted from 0 in the order of
-   a walk through the tree. A search touches one small node a level and no knot vector. */
+   a walk through the tree. A search begins in the knots of level 0, and then touches one small
+   node a level and no more knots. */
 #ifndef KW_CELLTREE_H
 #define KW_CELLTREE_H
 

@@ -23,14 +23,15 @@ void kw_curve_deboor(const kw_bspline *s, int N, const double *c, double x,
 void kw_curve_blossom(const kw_bspline *s, int i, int N, const double *c, const double *u,
                       double *point);
 
-/* The derivatives of order 0 .. r, r >= 0: value is (r+1) x N. */
+/* The derivatives of order 0 .. r, r >= 0: value is (r+1) x N. Those beyond d are zero. */
 void kw_curve_derivatives(const kw_bspline *s, int N, const double *c, double x, int r,
                           double *value);
 
 /* Closes a curve in a periodic space: c_{n-d+j} = c_j for j = 0 .. d-1, in place. */
 void kw_curve_close(const kw_bspline *s, int N, double *c);
 
-/* --- many points: x[0..count-1], count >= 0, results one after the other --- */
+/* --- many points: x[0..count-1], count >= 0, results one after the other, the same bits as one
+   by one --- */
 
 /* point: count x N. */
 void kw_curve_point_many(const kw_bspline *s, int N, const double *c, int count,

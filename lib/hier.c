@@ -220,10 +220,11 @@ size_t kw_hier_bytes(const kw_hier *b)
 void kw_hier_local(const kw_hier *b, int leaf, const int *r, const double *x,
                    double *value)
 {
-    const kw_hier_leaf *l = &b->leaf[leaf];
+    const kw_hier_leaf *l;
 
     KW_NEED(0 <= leaf && leaf < b->tree->leaves, "cell %d, not in 0 .. %d", leaf,
             b->tree->leaves - 1);
+    l = &b->leaf[leaf];
     kw_cellbasis_at(b->active->mesh, l->level, l->span, r, x, value);
 }
 

@@ -75,7 +75,8 @@ int kw_hier_at(const kw_hier *b, kw_hier_kind kind, const int *r, const double *
                int *index, double *value);
 
 /* The same at many points: x is count x D; found is count, index and value are count x
-   b->most, of which point p has the first found[p] of row p. Quicker than point by point. */
+   b->most, of which point p has the first found[p] of row p. The same bits as one by one,
+   THB-splines in less time; nothing is allocated. */
 void kw_hier_at_many(const kw_hier *b, kw_hier_kind kind, const int *r, int count,
                      const double *x, int *found, int *index, double *value);
 

@@ -28,7 +28,8 @@ void kw_hierpieces_free(kw_hierpieces *p);
 void kw_hierpieces_point(const kw_hierpieces *p, const int *r, const double *x,
                          double *point);
 
-/* The same at many points: x is count x D, point is count x N. Nothing is allocated. */
+/* The same at many points: x is count x D, point is count x N. The same bits as one by one, in
+   less time; nothing is allocated. */
 void kw_hierpieces_point_many(const kw_hierpieces *p, const int *r, int count,
                               const double *x, double *point);
 

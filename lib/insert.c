@@ -112,7 +112,7 @@ static inline void average(int N, double w, const double *after, const double *b
 
 /* Boehm's rule for a knot x. t and f are the last knot before x and the coefficient with its
    number, from there on to the left those of the space that has all knots before x; right[0] is
-   the first knot after x. f[1] becomes f[0], and that and the d-1 before it become averages. */
+   the first knot after x. f[1] becomes f[0]; then f[0] and the d-1 before it become averages. */
 static inline void insert_next(int d, int N, const double *t, const double *right,
                                double x, double *f)
 {

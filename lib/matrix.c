@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 /* B is read in panels of DEPTH x COLUMNS numbers, which stay in the fastest cache while every
-   row of A passes. TOGETHER rows of a panel are added to a row of C at once, so that an entry
+   row of A passes. EIGHT rows of a panel are added to a row of C at once, so that an entry
    of C is loaded and stored once for so many products. With fewer than NARROW columns there
    is too little to be done at once. */
 enum { DEPTH = 32, COLUMNS = 64, EIGHT = 8, NARROW = 8 };
@@ -35,7 +35,7 @@ static void copy_panel(int depth, int columns, view B, double (*panel)[COLUMNS])
             panel[k][j] = B.at[(size_t)k * B.row + (size_t)j * B.column];
 }
 
-/* c += f[0] * b[0] + f[1] * b[1] + .. */
+/* c = c + f[0] * b[0] + f[1] * b[1] + .., from left to right */
 static inline void add_eight(int columns, const double *f,
                              const double (*restrict b)[COLUMNS], double *restrict c)
 {

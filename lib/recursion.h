@@ -10,7 +10,7 @@
 #ifndef KW_RECURSION_H
 #define KW_RECURSION_H
 
-/* Numbers at two points; operations are those of each. */
+/* Two numbers, here at two points; operations are those of each. */
 typedef double kw_pair __attribute__((vector_size(2 * sizeof(double))));
 
 /* One step: from the p local functions of degree p-1 at x, value[0..p-1], to the p+1 of degree

@@ -65,7 +65,7 @@ double kw_tensor_one(const kw_tensor *g, const int *j, const int *r, const doubl
 void kw_tensor_point(const kw_tensor *g, int N, const double *c, const int *r,
                      const double *x, double *point);
 
-/* The same at many points: x is count x D, count >= 0, point is count x N. */
+/* The same bits at many points: x is count x D, count >= 0, point is count x N. */
 void kw_tensor_point_many(const kw_tensor *g, int N, const double *c, const int *r,
                           int count, const double *x, double *point);
 

@@ -435,6 +435,28 @@ static void many_points(const kw_bspline *s, kw_rng *r)
     CHECK(same_bits(value, single, POINTS * size), "d = %d, r = %d", s->d, order);
 }
 
+/* More points than are taken at a time, odd and even counts, and none. */
+static void longer_than_a_batch(const kw_bspline *s, kw_rng *r)
+{
+    enum { MOST = 1100 };
+    static double x[MOST], value[MOST * 2 * N + GUARD];
+    int count = kw_rng_below(r, 5) ? kw_rng_below(r, MOST + 1) : 0;
+    int order = kw_rng_below(r, 2), size = (order + 1) * N;
+    double one[2 * N];
+
+    random_coefficients(r, s);
+    for (int i = 0; i < count; i++)
+        x[i] = test_random_point(r, s);
+    poison(value, count * size);
+    kw_curve_derivatives_many(s, N, c, count, x, order, value);
+    CHECK(written(value, count * size), "%d points, d = %d", count, s->d);
+    for (int i = 0; i < count; i++) {
+        kw_curve_derivatives(s, N, c, x[i], order, one);
+        CHECK(same_bits(one, value + i * size, size), "point %d of %d, d = %d", i, count,
+              s->d);
+    }
+}
+
 int main(void)
 {
     const int all = KW_BSPLINE_DEGREE;
@@ -459,5 +481,7 @@ int main(void)
     test_run("curve: a closed curve is smooth at the seam up to d-1", closed_curves);
     run_over_spaces("curve: many points are points one by one, bit for bit", 8,
                     many_points);
+    run_over_spaces("curve: so are more points than are taken at a time, and none", 8,
+                    longer_than_a_batch);
     return test_end();
 }

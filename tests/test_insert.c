@@ -184,10 +184,12 @@ static void a_full_knot_keeps_both_sides(const kw_bspline *s, kw_rng *r)
     kw_bspline_free(fine);
 }
 
+enum { COORDINATES = 5 }; /* at most: pairs, and one alone */
+
 /* The coefficients of fine by one knot after the other, from left to right. */
 static void one_by_one(const kw_bspline *s, const kw_bspline *fine, int N, double *c)
 {
-    double finer[3 * MOST];
+    double finer[COORDINATES * MOST];
     kw_bspline *now = kw_bspline_new_copy(s);
 
     for (int i = 0; now->n < fine->n; i++) {
@@ -207,8 +209,8 @@ static void one_by_one(const kw_bspline *s, const kw_bspline *fine, int N, doubl
 /* In one walk they are the same numbers. */
 static void all_at_once_is_one_by_one(const kw_bspline *s, kw_rng *r)
 {
-    double c[3 * MOST], all[3 * MOST + GUARD];
-    int N = 1 + kw_rng_below(r, 3), added;
+    double c[COORDINATES * MOST], all[COORDINATES * MOST + GUARD];
+    int N = 1 + kw_rng_below(r, COORDINATES), added;
     kw_bspline *fine = refine(r, s, c, &added);
 
     random_coefficients(r, N * s->n, c);

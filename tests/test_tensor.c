@@ -368,6 +368,20 @@ static void coordinates_do_not_mix(const kw_tensor *g, kw_rng *r)
     free(c);
 }
 
+static void no_points(const kw_tensor *g, kw_rng *r)
+{
+    const int count[D3] = {0};
+    const double *const lines[D3] = {NULL};
+    double *c = random_coefficients(r, g), point[GUARD];
+
+    poison(point, 0);
+    kw_tensor_point_many(g, N, c, NULL, 0, NULL, point);
+    CHECK(kw_tensor_grid_work(g, N, count) == 0, "D = %d", g->D);
+    kw_tensor_grid(g, N, c, NULL, count, lines, point, point);
+    CHECK(written(point, 0), "D = %d", g->D);
+    free(c);
+}
+
 /* --- refinement --- */
 
 /* A refined coefficient has 6d + 2 roundings a direction on an average (test_insert.c). */
@@ -463,6 +477,7 @@ int main(void)
                      many_points_are_points);
     run_over_tensors("tensor: so are many more, and each coordinate alone",
                      coordinates_do_not_mix);
+    run_over_tensors("tensor: no points, nothing written", no_points);
     run_over_tensors("tensor: a knot line leaves the geometry where it is",
                      a_knot_line_leaves_the_geometry);
     run_over_tensors("tensor: halving all directions leaves the geometry where it is",

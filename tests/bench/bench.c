@@ -8,7 +8,8 @@
    work before has left the caches full of its own. */
 static const double LEAST = 2e7;
 
-double bench_now(void)
+/* Processor time in nanoseconds. */
+static double now(void)
 {
     struct timespec t;
 
@@ -19,11 +20,11 @@ double bench_now(void)
 /* The time of one call of the work. */
 static double timed(const bench_task *t, int calls)
 {
-    double begin = bench_now();
+    double begin = now();
 
     for (int i = 0; i < calls; i++)
         t->work(t->with);
-    return (bench_now() - begin) / calls;
+    return (now() - begin) / calls;
 }
 
 static int ascending(const void *a, const void *b)

@@ -16,9 +16,6 @@ typedef struct bench_task {
     double median, min, max;
 } bench_task;
 
-/* Processor time in nanoseconds. */
-double bench_now(void);
-
 /* Each task once to warm up; then BENCH_RUNS rounds, in each of which every task is run in its
    turn, so that what disturbs the machine disturbs all alike. A run of a short work calls it
    several times. */

@@ -149,7 +149,7 @@ static void print_comparisons(int rows, const bench_task *task, double products)
 
         if (c->against >= rows)
             continue;
-        ratio = task[c->what].median / task[c->against].median;
+        ratio = bench_ratio(&task[c->what], &task[c->against]);
         if (c->what == MLP)
             ratio /= products;
         printf("%-20s %6.3f    %-9s %-19s", name[c->what].what, ratio,

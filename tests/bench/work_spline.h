@@ -43,7 +43,8 @@ grid_work *grid_work_new(const spline_work *of);
 void grid_work_free(grid_work *w);
 void work_grid(void *with);
 
-/* --- a curve of n coefficients, every span of which is halved --- */
+/* --- a curve of n coefficients, every span of which is halved: its new coefficients; the finer
+   space is made before --- */
 
 typedef struct refine_work {
     kw_bspline *s, *fine;
