@@ -302,6 +302,17 @@ void kw_bspline_derivatives_on(const kw_bspline *s, int i, double x, int r, doub
     zero_rows(s, r, value);
 }
 
+void kw_bspline_derivative_on(const kw_bspline *s, int i, double x, int r, double *value)
+{
+    double all[K * K];
+    int k = s->d + 1;
+
+    need_order(r);
+    kw_bspline_derivatives_on(s, i, x, r < k ? r : 0, all);
+    for (int j = 0; j < k; j++)
+        value[j] = r < k ? all[r * k + j] : 0;
+}
+
 int kw_bspline_derivatives(const kw_bspline *s, double x, int r, double *value)
 {
     int i = span_of(s, x);
@@ -418,11 +429,12 @@ void kw_bspline_derivatives_many(const kw_bspline *s, int count, const double *x
                                  int *first, double *value)
 {
     enum { BATCH = 64 }; /* spans are found ahead of the values, which wait for them */
-    size_t size = (size_t)(r + 1) * (size_t)(s->d + 1);
-    int rows = rows_of(s, r);
+    size_t size = ((size_t)r + 1) * (size_t)(s->d + 1);
+    int rows;
 
     need_count(count);
     need_order(r);
+    rows = rows_of(s, r);
     for (int done = 0, end; done < count; done = end) {
         end = count - done < BATCH ? count : done + BATCH;
         kw_bspline_span_many(s, end - done, x + done, first + done);
@@ -441,12 +453,4 @@ void kw_bspline_derivatives_many(const kw_bspline *s, int count, const double *x
         for (int i = done; i < end; i++)
             first[i] -= s->d;
     }
-}
-
-void kw_bspline_one_many(const kw_bspline *s, int j, int r, int count, const double *x,
-                         double *value)
-{
-    need_count(count);
-    for (int i = 0; i < count; i++)
-        value[i] = kw_bspline_one(s, j, r, x[i]);
 }

@@ -101,6 +101,9 @@ int kw_bspline_derivatives(const kw_bspline *s, double x, int r, double *value);
 void kw_bspline_derivatives_on(const kw_bspline *s, int i, double x, int r,
                                double *value);
 
+/* Of these the r-th derivatives alone: value[0..d]. */
+void kw_bspline_derivative_on(const kw_bspline *s, int i, double x, int r, double *value);
+
 /* The polynomial pieces of the local functions of span i in powers of the local variable
    u = (x - t[i]) / (t[i+1] - t[i]): beta_{i-d+j} = sum of piece[j*(d+1) + q] u^q. */
 void kw_bspline_pieces(const kw_bspline *s, int i, double *piece);
@@ -135,9 +138,5 @@ void kw_bspline_basis_many(const kw_bspline *s, int count, const double *x, int 
 /* first: count; value: count x (r+1) x (d+1). */
 void kw_bspline_derivatives_many(const kw_bspline *s, int count, const double *x, int r,
                                  int *first, double *value);
-
-/* value: count. */
-void kw_bspline_one_many(const kw_bspline *s, int j, int r, int count, const double *x,
-                         double *value);
 
 #endif

@@ -1,21 +1,9 @@
 #include "cellbasis.h"
-#include "need.h"
 #include "recursion.h"
 
 enum { K = KW_BSPLINE_DEGREE + 1 };
 
 /* --- one direction after the other --- */
-
-void kw_cellbasis_direction(const kw_bspline *s, int span, int r, double x, double *value)
-{
-    double all[K * K];
-    int k = s->d + 1;
-
-    KW_NEED(r >= 0, "derivative %d", r);
-    kw_bspline_derivatives_on(s, span, x, r < k ? r : 0, all);
-    for (int i = 0; i < k; i++)
-        value[i] = r < k ? all[r * k + i] : 0;
-}
 
 static void products(const kw_mesh_level *l, int D, const int *span, const int *r,
                      const double *x, double *value)
@@ -27,7 +15,7 @@ static void products(const kw_mesh_level *l, int D, const int *span, const int *
     for (int h = 0; h < D; h++) {
         int k = l->s[h]->d + 1;
 
-        kw_cellbasis_direction(l->s[h], span[h], r ? r[h] : 0, x[h], factor);
+        kw_bspline_derivative_on(l->s[h], span[h], x[h], r ? r[h] : 0, factor);
         for (int a = size - 1; a >= 0; a--)
             for (int i = k - 1; i >= 0; i--) /* NOLINTNEXTLINE: both are set */
                 value[a * k + i] = value[a] * factor[i];

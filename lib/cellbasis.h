@@ -14,8 +14,4 @@
 void kw_cellbasis_at(const kw_mesh *m, int level, const int *span, const int *r,
                      const double *x, double *value);
 
-/* The r-th derivatives of the local functions of a span of s: value[0..d]. */
-void kw_cellbasis_direction(const kw_bspline *s, int span, int r, double x,
-                            double *value);
-
 #endif

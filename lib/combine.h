@@ -32,6 +32,8 @@ static inline void kw_combine(int k, int N, const double *restrict weight,
         kw_combine_sized(0, 1, 3, 3, weight, c, point);
     else if (k == 3)
         kw_combine_sized(0, 1, 3, N, weight, c, point);
+    else if (N == 3)
+        kw_combine_sized(0, 1, k, 3, weight, c, point);
     else
         kw_combine_sized(0, 1, k, N, weight, c, point);
 }

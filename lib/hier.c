@@ -355,7 +355,7 @@ static double hb_one(const kw_hier *b, int i, const int *r, const double *x)
 
         if (of_span < 0 || of_span > s->d)
             return 0;
-        kw_cellbasis_direction(s, span, r ? r[h] : 0, x[h], factor);
+        kw_bspline_derivative_on(s, span, x[h], r ? r[h] : 0, factor);
         value *= factor[of_span];
     }
     return value;

@@ -108,16 +108,10 @@ void kw_tensor_multi(const kw_tensor *g, int flat, int *j)
 /* The r-th derivatives of the local functions of s at x, value[0..d]; returns the first. */
 static int univariate(const kw_bspline *s, int r, double x, double *value)
 {
-    double all[K * K];
-    int first, d = s->d;
+    int i = kw_bspline_span(s, x);
 
-    KW_NEED(r >= 0, "derivative %d", r);
-    if (r == 0)
-        return kw_bspline_basis(s, x, value);
-    first = kw_bspline_derivatives(s, x, r <= d ? r : d, all);
-    for (int i = 0; i <= d; i++)
-        value[i] = r <= d ? all[r * (d + 1) + i] : 0;
-    return first;
+    kw_bspline_derivative_on(s, i, x, r, value);
+    return i - s->d;
 }
 
 /* The same at x[0..count-1]: value is count x (d+1). */

@@ -174,16 +174,14 @@ static void on_at(double x)
     kw_bspline_derivatives_on(space, 2, x, 1, scratch);
 }
 
+static void alone_at(double x)
+{
+    kw_bspline_derivative_on(space, 2, x, 1, scratch);
+}
+
 static void one_at(double x)
 {
     kw_bspline_one(space, 1, 0, x);
-}
-
-static void one_many_at(double x)
-{
-    const double points[] = {1, x};
-
-    kw_bspline_one_many(space, 1, 0, 2, points, scratch);
 }
 
 static void (*now_point)(double x);
@@ -217,7 +215,7 @@ static void outside_the_domain(void)
 
 static void no_number(void)
 {
-    void (*const calls[])(double) = {on_at, one_at, one_many_at};
+    void (*const calls[])(double) = {on_at, one_at, alone_at};
 
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++) {
         aborts_at(calls[i], NAN, "x = nan");
@@ -258,6 +256,16 @@ static void on_order(int r)
     kw_bspline_derivatives_on(space, 2, 1, r, scratch);
 }
 
+static void alone_order(int r)
+{
+    kw_bspline_derivative_on(space, 2, 1, r, scratch);
+}
+
+static void alone_span(int i)
+{
+    kw_bspline_derivative_on(space, i, 1, 0, scratch);
+}
+
 static void on_span(int i)
 {
     kw_bspline_derivatives_on(space, i, 1, 0, scratch);
@@ -292,11 +300,6 @@ static void derivatives_many(int count)
     kw_bspline_derivatives_many(space, count, space->t, 0, &first, scratch);
 }
 
-static void one_many(int count)
-{
-    kw_bspline_one_many(space, 1, 0, count, space->t, scratch);
-}
-
 static void span_many(int count)
 {
     int span;
@@ -318,6 +321,8 @@ static const struct index {
     {"derivative -1", one_order, -1},
     {"derivative -1", order, -1},
     {"derivative -3", on_order, -3},
+    {"derivative -4", alone_order, -4},
+    {"3 is no span", alone_span, 3},
     {"3 is no span", on_span, 3}, /* empty */
     {"1 is no span", on_span, 1}, /* below the domain */
     {"5 is no span", on_span, 5}, /* above it */
@@ -331,7 +336,6 @@ static const struct index {
     {"-1 is no span", knots_blossom_on, -1},
     {"-1 points", basis_many, -1},
     {"-2 points", derivatives_many, -2},
-    {"-3 points", one_many, -3},
     {"-4 points", span_many, -4},
 };
 

@@ -242,6 +242,21 @@ static void copy_alone(const kw_bspline *s, kw_rng *r)
     kw_bspline_free(NULL);
 }
 
+/* One order of the derivatives alone, up to two beyond the degree. */
+static void one_order_alone(const kw_bspline *s, kw_rng *r)
+{
+    double x = test_random_point(r, s), all[ROOM], alone[KW_BSPLINE_DEGREE + 1 + GUARD];
+    int k = s->d + 1, span = kw_bspline_span(s, x);
+
+    kw_bspline_derivatives_on(s, span, x, k + 1, all);
+    for (int order = 0; order <= k + 1; order++) {
+        poison(alone, k);
+        kw_bspline_derivative_on(s, span, x, order, alone);
+        CHECK(written(alone, k) && same_bits(alone, all + order * k, k),
+              "d = %d, order %d, x = %.17g", s->d, order, x);
+    }
+}
+
 /* --- many points --- */
 
 enum { POINTS = 7, UNTOUCHED = -77 };
@@ -250,7 +265,7 @@ static void many_points(const kw_bspline *s, kw_rng *r)
 {
     double x[POINTS], value[POINTS * ROOM], one[ROOM];
     int first[POINTS + 1], k = s->d + 1, order = kw_rng_below(r, k + 2);
-    int j = kw_rng_below(r, s->n), size = k * (order + 1);
+    int size = k * (order + 1);
 
     first[POINTS] = UNTOUCHED;
     for (int i = 0; i < POINTS; i++)
@@ -268,13 +283,6 @@ static void many_points(const kw_bspline *s, kw_rng *r)
     for (int i = 0; i < POINTS; i++) {
         CHECK(first[i] == kw_bspline_derivatives(s, x[i], order, one), "%d", first[i]);
         CHECK(same_bits(one, value + i * size, size), "d = %d, x = %.17g", s->d, x[i]);
-    }
-    poison(value, POINTS);
-    kw_bspline_one_many(s, j, order, POINTS, x, value);
-    CHECK(written(value, POINTS), "d = %d", s->d);
-    for (int i = 0; i < POINTS; i++) {
-        one[0] = kw_bspline_one(s, j, order, x[i]);
-        CHECK(same_bits(one, value + i, 1), "function %d, x = %.17g", j, x[i]);
     }
 }
 
@@ -315,7 +323,6 @@ static void no_points(const kw_bspline *s, kw_rng *r)
     kw_bspline_span_many(s, 0, value, &first);
     kw_bspline_basis_many(s, 0, value, &first, value);
     kw_bspline_derivatives_many(s, 0, value, 2, &first, value);
-    kw_bspline_one_many(s, 0, 0, 0, value, value);
     CHECK(written(value, 0) && first == UNTOUCHED, "first = %d", first);
 }
 
@@ -381,6 +388,7 @@ int main(void)
     test_run("bspline: periodic spaces repeat their knots, and beyond d",
              periodic_spaces);
     run_over_spaces("bspline: a copy stands alone", all, copy_alone);
+    run_over_spaces("bspline: one order of the derivatives alone", 8, one_order_alone);
     run_over_spaces("bspline: many points are points one by one, bit for bit", 8,
                     many_points);
     run_over_spaces("bspline: so at degrees up to 31", all, many_points);
