@@ -24,27 +24,28 @@ static int bucket_of(const kw_bspline *s, double x)
 
 static void make_table(kw_bspline *s)
 {
-    int *before;
+    const int d = s->d, n = s->n;
+    int *restrict before, last = d, most = 0; /* spans from one bucket to the next */
 
-    s->buckets = s->n - s->d + 1;
-    s->scale = (s->n - s->d) / (s->t[s->n] - s->t[s->d]);
+    s->buckets = n - d + 1;
+    s->scale = (n - d) / (s->t[n] - s->t[d]);
     if (!isfinite(s->scale))
         s->scale = 0; /* a domain of next to no length: one bucket is in use */
     s->before = before = kw_need_memory((size_t)s->buckets + 1, sizeof *before);
-    for (int i = s->d; i < s->n; i++)
+    for (int i = d; i < n; i++)
         if (s->t[i] < s->t[i + 1])
             before[bucket_of(s, s->t[i]) + 1] = i;
-    before[0] = s->d;
-    s->candidates = 1;
-    for (int b = 0; b < s->buckets; b++) {
-        if (before[b + 1] == 0) /* no span begins in bucket b */
-            before[b + 1] = before[b];
-        if (s->candidates <= before[b + 1] - before[b])
-            s->candidates = before[b + 1] - before[b] + 1;
+    before[0] = d;
+    for (int b = 1; b <= s->buckets; b++) {
+        int next = before[b] > 0 ? before[b] : last; /* 0: no span begins there */
+
+        most = next - last > most ? next - last : most;
+        before[b] = last = next;
     }
+    s->candidates = most + 1;
     /* every bucket has as many, inside the domain */
-    for (int b = s->buckets; before[b] > s->n - s->candidates; b--)
-        before[b] = s->n - s->candidates;
+    for (int b = s->buckets; before[b] > n - s->candidates; b--)
+        before[b] = n - s->candidates;
 }
 
 /* --- spaces --- */
@@ -60,14 +61,14 @@ kw_bspline *kw_bspline_new(int d, int n, const double *t)
     need_degree(d);
     KW_NEED(n >= d + 1, "%d functions of degree %d (%d knots) are too few", n, d,
             n + d + 1);
-    for (int i = 0; i <= n + d; i++)
+    for (int i = 0; i <= n + d; i++) {
         KW_NEED(isfinite(t[i]), "t[%d] = %g", i, t[i]);
-    for (int i = 0; i < n + d; i++)
-        KW_NEED(t[i] <= t[i + 1], "knots decrease: t[%d] = %.17g, t[%d] = %.17g", i, t[i],
-                i + 1, t[i + 1]);
-    for (int i = 0; i < n; i++)
-        KW_NEED(t[i] < t[i + d + 1], "knot %.17g appears more than %d times (from t[%d])",
-                t[i], d + 1, i);
+        KW_NEED(i == 0 || t[i - 1] <= t[i],
+                "knots decrease: t[%d] = %.17g, t[%d] = %.17g", i - 1, t[i - 1], i, t[i]);
+        KW_NEED(i <= d || t[i - d - 1] < t[i],
+                "knot %.17g appears more than %d times (from t[%d])", t[i], d + 1,
+                i - d - 1);
+    }
     KW_NEED(isfinite(t[n + d] - t[0]), "knots from %g to %g are too far apart", t[0],
             t[n + d]);
     KW_NEED(t[d] < t[d + 1] && t[n - 1] < t[n],

@@ -61,8 +61,8 @@ typedef struct kw_hier {
     size_t functions, function_room;
 } kw_hier;
 
-/* Time and memory are linear in the number of cells and active functions; estimate.h says how
-   much memory before. The caller frees. Never NULL. */
+/* Time and memory are linear in the number of cells and of the functions that overlap on each,
+   which on graded meshes are few in the mean; estimate.h says how much memory before. The caller frees. Never NULL. */
 kw_hier *kw_hier_new(const kw_mesh *m);
 void kw_hier_free(kw_hier *b);
 

@@ -124,6 +124,20 @@ static inline void basis_by_triangle(tally *t, const kw_bspline *s, int i, doubl
         raise_degree(t, s, i, p, x, value);
 }
 
+/* The same with another argument at each degree: the weights of the polar form at the increasing
+   arguments u[0..d-1], from the span outwards, as kw_bspline_blossom_knots has them. */
+static inline void blossom_by_triangle(tally *t, const kw_bspline *s, int i,
+                                       const double *u, double *value)
+{
+    int left = 0; /* arguments up to the span */
+
+    while (left < s->d && u[left] <= s->t[i])
+        left++;
+    value[0] = 1;
+    for (int p = 1; p <= s->d; p++)
+        raise_degree(t, s, i, p, u[p <= left ? left - p : p - 1], value);
+}
+
 /* From the q-th derivatives of the functions of degree p-1 to the (q+1)-th of those of
    degree p. */
 static inline void raise_derivative(tally *t, const kw_bspline *s, int i, int p,

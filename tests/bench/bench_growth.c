@@ -10,6 +10,7 @@
 #include "work_spline.h"
 #include <malloc.h>
 #include <stdio.h>
+#include <string.h>
 
 enum {
     POINTS = 100000,
@@ -24,19 +25,32 @@ enum {
     ROOM = 8    /* numbers of a point */
 };
 
+/* A word above each column. */
+static void print_header(const char *header)
+{
+    while (*header) {
+        int length = (int)strcspn(header, " ");
+
+        printf("%15.*s", length, header);
+        header += length + (header[length] == ' ');
+    }
+    printf("\n");
+}
+
 /* One table and one section of the data: a row for each of `rows` sizes, with the medians of
    `columns` tasks each. */
 static void show(kw_out *f, const char *section, const char *header, int rows,
                  const double *size, int columns, bench_task *task)
 {
     bench_run(rows * columns, task);
-    printf("\nnanoseconds by %s\n%10s %s\n", section, "", header);
+    printf("\nnanoseconds by %s\n", section);
+    print_header(header);
     kw_out_section(f, section, header);
     for (int i = 0; i < rows; i++) {
-        printf("%10.0f", size[i]);
+        printf("%15.0f", size[i]);
         kw_out_number(f, size[i]);
         for (int j = 0; j < columns; j++) {
-            printf(" %12.1f", task[i * columns + j].median);
+            printf("%15.1f", task[i * columns + j].median);
             kw_out_number(f, task[i * columns + j].median);
         }
         kw_out_row(f);
@@ -128,9 +142,9 @@ static void by_levels(kw_out *f)
     }
     show(f, "levels", "size build-function surface-point THB-functions HB-functions",
          ROWS, size, COLUMNS, task);
-    printf("    levels    functions   bytes each   listed at a point\n");
+    print_header("size functions bytes-each listed-a-point");
     for (int i = 0; i < ROWS; i++) {
-        printf("%10.0f %12d %12.0f %19.1f\n", size[i], w[i]->b->active->size,
+        printf("%15.0f%15d%15.0f%15.1f\n", size[i], w[i]->b->active->size,
                (double)kw_hier_bytes(w[i]->b) / w[i]->b->active->size, w[i]->listed);
         hier_work_free(w[i]);
     }

@@ -25,7 +25,7 @@ plot data index "degree" using 1:2 with linespoints ls 1, \
 set title "levels (degree 2, two directions)"
 set xtics 2
 set logscale y
-set yrange [1:1e6]
+set yrange [10:1e5]
 set format y "10^{%L}"
 set offsets
 plot data index "levels" using 1:2 with linespoints ls 3 title "to build, a function", \

@@ -140,6 +140,13 @@ void refine_work_free(refine_work *w)
     free(w);
 }
 
+void work_refine_space(void *with)
+{
+    const refine_work *w = with;
+
+    kw_bspline_free(kw_insert_new_dyadic(w->s));
+}
+
 void work_refine(void *with)
 {
     const refine_work *w = with;

@@ -43,8 +43,7 @@ grid_work *grid_work_new(const spline_work *of);
 void grid_work_free(grid_work *w);
 void work_grid(void *with);
 
-/* --- a curve of n coefficients, every span of which is halved: its new coefficients; the finer
-   space is made before --- */
+/* --- a curve of n coefficients, every span of which is halved --- */
 
 typedef struct refine_work {
     kw_bspline *s, *fine;
@@ -53,6 +52,7 @@ typedef struct refine_work {
 
 refine_work *refine_work_new(int d, int n);
 void refine_work_free(refine_work *w);
-void work_refine(void *with);
+void work_refine(void *with);       /* the new coefficients, in a space that is there */
+void work_refine_space(void *with); /* that space, made and freed */
 
 #endif
