@@ -160,13 +160,15 @@ local function link_words(words, place)
     return result
 end
 
--- A formula and the comma behind it stay on one line.
+-- A formula and the comma behind it stay on one line, and so does a word like B-spline.
 local function keep_together(words)
     local result = pandoc.List()
     for _, word in ipairs(words) do
         local last = result[#result]
         if last and last.t == "Math" and word.t == "Str" and word.text:match("^[,.;:)?!]") then
             result[#result] = pandoc.Span({ last, word }, { class = "together" })
+        elseif word.t == "Str" and word.text:match("B%-spline") then
+            result:insert(pandoc.Span({ word }, { class = "together" }))
         else
             result:insert(word)
         end

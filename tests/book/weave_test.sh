@@ -85,7 +85,7 @@ See Definition 3, Remark 5, equation (10) and Figure 4, and `ex_one.c`; [a.real]
 
 ![What is seen.](../../figures/fig04.svg)
 
-Then $\ell x^{10}$, by `f(100)`, has [a.zero]{.no} exceptions.
+Then $\ell x^{10}$, by `f(100)`, has [a.zero]{.no} exceptions (THB-splines).
 
 | two | columns |
 |-----|---------|
@@ -153,6 +153,7 @@ has "a figure with its title, caption and what to see" 'it is there, if a &lt; b
 has "a reference" '<a href="#ER-09">ER-09</a>'
 has "an equation" '<a href="#Eq-10">equation (10)</a>'
 has "a formula with its comma" '<span class="together"><math'
+has "a word with a hyphen" '<span class="together">(THB-splines).</span>'
 has "the letter l is a letter" '<mi>ℓ</mi>'
 lacks "a table of a fixed width" '<col '
 has "how large a lesson is" '<a href="#one">One</a></th><td>2</td><td>22</td><td>8</td><td>1</td>'
