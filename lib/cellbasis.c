@@ -25,8 +25,8 @@ static void products(const kw_mesh_level *l, int D, const int *span, const int *
 
 /* --- surfaces of degree 2 and 3: values ---
 
-   Both directions go through the recursion abreast, and with a degree that is a constant its
-   loops become one straight line. */
+   Both directions go through the recursion abreast, with a degree that is a constant for
+   compilers that like to unroll its loops. */
 
 static inline void surface(int d, const kw_mesh_level *l, const int *span,
                            const double *x, double *value)
