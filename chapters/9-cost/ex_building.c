@@ -24,14 +24,13 @@ enum {
     LOCAL = K * K,
     CELLS = 8,
     MOST = 11, /* levels */
-    FROM =
-        13 /* functions on a cell, from where on we ask how fast such cells get fewer */
+    FROM = 13  /* functions that a cell carries: from there on such cells get fewer */
 };
 
 /* A walk through the tree of cells as the library makes it, with the table of THB-splines and the
    two-scale matrices of a cell of each level. */
 typedef struct walk {
-    const kw_hier *b;
+    kw_hier *b;
     kw_truncation *table[MOST];
     kw_twoscale halves[MOST];
     tally t;
@@ -135,14 +134,39 @@ static int most_carried(const kw_hier *b)
     return most;
 }
 
-/* So many in all; for each of `size`. */
-static void report_levels(kw_out *report, int levels, const char *what, double number,
-                          int size)
+static void count_building(walk *w, int levels)
 {
-    char id[60];
+    for (int l = 0; l < levels; l++)
+        w->table[l] = kw_truncation_new(LOCAL);
+    for (int i = 0; i < CELLS * CELLS; i++)
+        descend(w, i, 0, 0, (const int[]){i / CELLS, i % CELLS});
+    for (int l = 0; l < levels; l++)
+        kw_truncation_free(w->table[l]);
+}
 
-    snprintf(id, sizeof id, "cost.build.%s.%d", what, levels);
-    kw_claim_real(report, id, number / size);
+/* --- reports --- */
+
+enum { ID = 40 };
+
+static const char *id_of(const char *what, int levels, char *id)
+{
+    snprintf(id, ID, "cost.build.%s.%d", what, levels);
+    return id;
+}
+
+static void report_building(kw_out *report, int levels, const kw_hier *b, const tally *t)
+{
+    const double size = b->active->size;
+    char id[ID];
+
+    kw_claim_count(report, id_of("functions", levels, id), b->active->size);
+    kw_claim_real(report, id_of("cells", levels, id), b->tree->nodes / size);
+    kw_claim_real(report, id_of("operations", levels, id), (double)operations(t) / size);
+    kw_claim_real(report, id_of("carried", levels, id),
+                  (double)b->indices / b->tree->leaves);
+    kw_claim_count(report, id_of("most", levels, id), most_carried(b));
+    if (levels == MOST)
+        kw_claim_real(report, "cost.build.fewer", left_of(b, FROM));
 }
 
 int main(void)
@@ -152,25 +176,12 @@ int main(void)
 
     for (int levels = 2; levels <= MOST; levels += 3) {
         kw_mesh *m = new_diagonal(DEGREE, CELLS, levels - 1);
-        kw_hier *b = kw_hier_new(m);
-        walk w = {.b = b};
-        int size = b->active->size;
+        walk w = {.b = kw_hier_new(m)};
 
-        for (int l = 0; l < levels; l++)
-            w.table[l] = kw_truncation_new(LOCAL);
-        for (int i = 0; i < CELLS * CELLS; i++)
-            descend(&w, i, 0, 0, (const int[]){i / CELLS, i % CELLS});
+        count_building(&w, levels);
+        report_building(report, levels, w.b, &w.t);
         differ += w.differ;
-        report_levels(report, levels, "functions", size, 1);
-        report_levels(report, levels, "cells", b->tree->nodes, size);
-        report_levels(report, levels, "operations", (double)operations(&w.t), size);
-        report_levels(report, levels, "carried", (double)b->indices, b->tree->leaves);
-        report_levels(report, levels, "most", most_carried(b), 1);
-        if (levels == MOST)
-            kw_claim_real(report, "cost.build.fewer", left_of(b, FROM));
-        for (int l = 0; l < levels; l++)
-            kw_truncation_free(w.table[l]);
-        kw_hier_free(b);
+        kw_hier_free(w.b);
         kw_mesh_free(m);
     }
     kw_claim_count(report, "cost.build.differ", differ);
