@@ -308,7 +308,10 @@ void kw_bspline_derivative_on(const kw_bspline *s, int i, double x, int r, doubl
     double all[K * K];
     int k = s->d + 1;
 
-    need_order(r);
+    if (r <= 0) { /* the values, or an abort */
+        kw_bspline_derivatives_on(s, i, x, r, value);
+        return;
+    }
     kw_bspline_derivatives_on(s, i, x, r < k ? r : 0, all);
     for (int j = 0; j < k; j++)
         value[j] = r < k ? all[r * k + j] : 0;

@@ -108,8 +108,11 @@ void kw_tensor_multi(const kw_tensor *g, int flat, int *j)
 /* The r-th derivatives of the local functions of s at x, value[0..d]; returns the first. */
 static int univariate(const kw_bspline *s, int r, double x, double *value)
 {
-    int i = kw_bspline_span(s, x);
+    int i;
 
+    if (r == 0)
+        return kw_bspline_basis(s, x, value);
+    i = kw_bspline_span(s, x);
     kw_bspline_derivative_on(s, i, x, r, value);
     return i - s->d;
 }
